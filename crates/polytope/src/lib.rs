@@ -1,7 +1,29 @@
 //! Exact convex polytopes of dimension 0 to 3: convex hulls, Gaussian maps, Minkowski sums.
+//!
+//! | module | what it does |
+//! |---|---|
+//! | `polytope`, `measure`, `validity` | the halfedge polytope, its volume, what it promises |
+//! | `polygon_mesh`, `facets`, `mesh` | meshes as files have them, and the way from them to polytopes |
+//! | `hull` | the convex hull of any finite point set |
+//! | `overlay`, `sum` | the Minkowski sum by the overlay of Gaussian maps |
 
 mod facets;
+mod hull;
+mod measure;
+mod mesh;
+mod overlay;
 mod polygon_mesh;
+mod polytope;
+mod sum;
+mod validity;
 
 pub use facets::Facets;
+pub use measure::Bounds;
+pub use mesh::{MeshError, MeshSummary, Note, hull_depth};
+pub use overlay::OverlayCounts;
 pub use polygon_mesh::PolygonMesh;
+pub use polytope::{Counts, Polytope, convex_hull};
+pub use sum::{minkowski_sum, minkowski_sum_by_hull, overlay_counts};
+pub use validity::Violation;
+
+pub use dcel::{Defect, FacetId, HalfedgeId, Mesh, VertexId};

@@ -1,7 +1,7 @@
 //! A mesh as a file has it: points and polygons, not yet checked.
 
 use crate::Facets;
-use exact::{Affine3, Point3};
+use exact::{Affine3, Point3, Sign};
 
 /// Points and polygons over them, as read from a file: nothing about them is checked but the range
 /// of the indices.
@@ -20,7 +20,7 @@ impl PolygonMesh {
     /// The mesh under an affine map; polygons are turned round if the map reflects.
     pub fn transformed(&self, map: &Affine3) -> Self {
         let mut facets = self.facets.clone();
-        if map.reflects() {
+        if map.determinant_sign() == Sign::Negative {
             facets.reverse();
         }
         Self { points: self.points.iter().map(|p| map.apply(p)).collect(), facets }

@@ -1,0 +1,264 @@
+//! From a mesh as a file has it to a polytope.
+//!
+//! A mesh whose facets and edges are all strictly convex is taken as it stands ([`strict`]). Otherwise,
+//! where facets are coplanar or degenerate, the convex hull of its vertices is taken and the mesh is
+//! compared with it: if every facet lies on the boundary of the hull, turned outwards, and the volumes
+//! agree, the surface covers that boundary exactly once, and the hull is the polytope.
+
+mod error;
+mod strict;
+mod summary;
+mod weld;
+
+pub use error::{MeshError, Note};
+pub use summary::{MeshSummary, hull_depth};
+
+use crate::measure::signed_volume;
+use crate::polytope::nonzero_axis;
+use crate::{Polytope, PolygonMesh, convex_hull};
+use dcel::{Defect, FacetId, HalfedgeId, Mesh};
+use exact::{Rational, Sign, Vector3};
+use std::collections::HashMap;
+use strict::Surface;
+use weld::Compact;
+
+impl Polytope {
+    /// The polytope that a mesh bounds. What had to be mended is added to `notes`.
+    ///
+    /// Equal vertices are welded if the surface is not closed without that; unused vertices are
+    /// dropped; a mesh that is inside out is turned; coplanar facets and collinear edges are joined.
+    /// A mesh without facets stands for the convex hull of its points, one polygon for a polytope of
+    /// dimension 2, one facet of two vertices for a segment. A surface that encloses no volume is read
+    /// as what it covers.
+    ///
+    /// # Errors
+    /// What keeps the mesh from being the boundary of a convex polytope: see [`MeshError`].
+    ///
+    /// # Complexity
+    /// Linear if no two facets are coplanar; else that of a convex hull.
+    pub fn from_mesh(mesh: &PolygonMesh, notes: &mut Vec<Note>) -> Result<Self, MeshError> {
+        if mesh.points.is_empty() {
+            return Err(MeshError::Empty);
+        }
+        if mesh.facets.is_empty() {
+            notes.push(Note::PointSet);
+            return convex_hull(&mesh.points).ok_or(MeshError::Empty);
+        }
+        if mesh.facets.len() == 1 && mesh.facets.get(0).len() != 2 {
+            return from_polygon(mesh, notes);
+        }
+        let mut compact = Compact::new(mesh);
+        if compact.unused > 0 {
+            notes.push(Note::Unused { vertices: compact.unused });
+        }
+        if mesh.facets.len() == 1 {
+            let [a, b] = [0, 1].map(|i| compact.points[compact.facets.get(0)[i] as usize].clone());
+            return Ok(Self::segment(a, b));
+        }
+        if let Some(f) = mesh.facets.iter().position(|corners| corners.len() < 3) {
+            return Err(MeshError::LooseEdge { facet: f as u32 });
+        }
+        let halfedges = match closed(&compact) {
+            Ok(halfedges) => halfedges,
+            Err(_) => {
+                // Not closed by its indices: by its positions perhaps.
+                let welded = compact.weld();
+                if welded.points.len() < compact.points.len() {
+                    notes.push(Note::Welded { from: compact.points.len(), to: welded.points.len() });
+                }
+                compact = welded;
+                closed(&compact).map_err(|defect| MeshError::NotClosed(named(defect, &compact)))?
+            }
+        };
+        Check { mesh: halfedges, compact, notes }.polytope()
+    }
+}
+
+fn closed(compact: &Compact) -> Result<Mesh, Defect> {
+    Mesh::from_cycles(compact.points.len(), compact.facets.starts(), compact.facets.corners())
+}
+
+/// The defect with the names of the mesh that was given.
+fn named(defect: Defect, compact: &Compact) -> Defect {
+    let v = |vertex: u32| compact.vertex_names[vertex as usize];
+    let f = |facet: u32| compact.facet_names[facet as usize];
+    match defect {
+        Defect::Border { edge, facet } => Defect::Border { edge: edge.map(v), facet: f(facet) },
+        Defect::Orientation { edge, facets } => {
+            Defect::Orientation { edge: edge.map(v), facets: facets.map(f) }
+        }
+        Defect::NonManifoldEdge { edge, facets } => Defect::NonManifoldEdge { edge: edge.map(v), facets },
+        Defect::NonManifoldVertex { vertex } => Defect::NonManifoldVertex { vertex: v(vertex) },
+        Defect::DegenerateCycle { facet } => Defect::DegenerateCycle { facet: f(facet) },
+        other => other,
+    }
+}
+
+/// One polygon and nothing else: both of its sides form a surface.
+fn from_polygon(mesh: &PolygonMesh, notes: &mut Vec<Note>) -> Result<Polytope, MeshError> {
+    let mut both = mesh.clone();
+    let mut back = mesh.facets.get(0).to_vec();
+    back.reverse();
+    both.facets.push(&back);
+    let mut found = Vec::new();
+    let polytope = Polytope::from_mesh(&both, &mut found).map_err(|error| match error {
+        MeshError::NotOnHull { .. } => MeshError::NotOnHull { facet: 0 },
+        other => other,
+    })?;
+    // That it has no volume is how it was meant, and the back facet is ours.
+    notes.extend(found.into_iter().filter_map(|note| match note {
+        Note::Flat { dimension: 2 } => None,
+        Note::Joined { from: [v, n], to: [w, m] } => (v != w).then_some(Note::Joined { from: [v, n / 2], to: [w, m] }),
+        other => Some(other),
+    }));
+    Ok(polytope)
+}
+
+struct Check<'n> {
+    mesh: Mesh,
+    compact: Compact,
+    notes: &'n mut Vec<Note>,
+}
+
+impl Check<'_> {
+    fn polytope(mut self) -> Result<Polytope, MeshError> {
+        let mut surface = self.surface()?;
+        let mut turns = surface.turns();
+        if turns.reflex > 0 && (turns.convex == 0 || self.volume().sign() == Sign::Negative) {
+            drop(surface);
+            self.turn_round();
+            surface = self.surface()?;
+            turns = surface.turns();
+        }
+        if let Some(h) = turns.first_reflex {
+            return Err(self.reflex(h));
+        }
+        let shells = self.mesh.components();
+        if shells.1 > 1 {
+            let other = shells.0.iter().position(|&label| label == 1).expect("there is a second shell");
+            let facets = [0, other].map(|f| self.compact.facet_names[f]);
+            return Err(MeshError::SeveralShells { shells: shells.1, facets });
+        }
+        if turns.flat == 0 && surface.facets_are_convex() {
+            surface.winds_once().map_err(|f| self.not_on_hull(f))?;
+            let Surface { edges, normals, .. } = surface;
+            let Self { mesh, compact, .. } = self;
+            return Ok(Polytope { dimension: 3, points: compact.points, mesh, edges, normals });
+        }
+        drop(surface);
+        self.compare_with_hull()
+    }
+
+    fn surface(&self) -> Result<Surface<'_>, MeshError> {
+        Surface::new(&self.compact.points, &self.mesh).map_err(|error| match error {
+            MeshError::NonPlanar { facet, vertex, squared_distance } => MeshError::NonPlanar {
+                facet: self.compact.facet_names[facet as usize],
+                vertex: self.compact.vertex_names[vertex as usize],
+                squared_distance,
+            },
+            other => other,
+        })
+    }
+
+    fn volume(&self) -> Rational {
+        signed_volume(&self.compact.points, &self.compact.facets)
+    }
+
+    fn turn_round(&mut self) {
+        self.compact.reverse();
+        self.mesh = closed(&self.compact).expect("a closed surface stays closed when it is turned round");
+        self.notes.push(Note::TurnedInsideOut);
+    }
+
+    fn reflex(&self, h: HalfedgeId) -> MeshError {
+        let vertex = |v: dcel::VertexId| self.compact.vertex_names[v.index()];
+        MeshError::ReflexEdge {
+            edge: [vertex(self.mesh.source(h)), vertex(self.mesh.target(h))],
+            facets: [h, h.twin()].map(|h| self.compact.facet_names[self.mesh.facet(h).index()]),
+        }
+    }
+
+    fn not_on_hull(&self, f: FacetId) -> MeshError {
+        MeshError::NotOnHull { facet: self.compact.facet_names[f.index()] }
+    }
+
+    /// Takes the convex hull, and checks that the surface is its boundary.
+    fn compare_with_hull(self) -> Result<Polytope, MeshError> {
+        let hull = convex_hull(&self.compact.points).ok_or(MeshError::Empty)?;
+        let surface = self.surface()?;
+        match hull.dimension {
+            3 => {
+                if let Some(f) = first_off_hull(&surface, &hull) {
+                    return Err(self.not_on_hull(f));
+                }
+                if hull.volume() != self.volume() {
+                    return Err(self.not_on_hull(FacetId(0)));
+                }
+                let counts = hull.counts();
+                self.notes.push(Note::Joined {
+                    from: [self.compact.points.len(), self.mesh.facet_count()],
+                    to: [counts.vertices, counts.facets],
+                });
+            }
+            2 => {
+                // The facets that face the front must cover the polygon once.
+                let axis = nonzero_axis(&hull.normals[0]);
+                let area = |points: &[exact::Point3], cycles: &mut dyn Iterator<Item = Vec<u32>>| {
+                    cycles.fold(Rational::from(0), |sum, cycle| sum + twice_area(points, &cycle, axis))
+                };
+                let front = self.mesh.facets().filter(|f| {
+                    surface.normals[f.index()].sign(axis) == hull.normals[0].sign(axis)
+                });
+                let covered = area(
+                    &self.compact.points,
+                    &mut front.map(|f| self.compact.facets.get(f.index()).to_vec()),
+                );
+                let whole =
+                    area(&hull.points, &mut std::iter::once(hull.facet_cycle(FacetId(0)).map(|v| v.0).collect()));
+                if covered != whole {
+                    return Err(self.not_on_hull(FacetId(0)));
+                }
+                self.notes.push(Note::Flat { dimension: 2 });
+                if self.compact.points.len() != hull.points.len() {
+                    self.notes.push(Note::Joined {
+                        from: [self.compact.points.len(), self.mesh.facet_count()],
+                        to: [hull.points.len(), 1],
+                    });
+                }
+            }
+            dimension => self.notes.push(Note::Flat { dimension }),
+        }
+        Ok(hull)
+    }
+}
+
+/// Twice the signed area of a cycle seen along an axis.
+fn twice_area(points: &[exact::Point3], cycle: &[u32], axis: usize) -> Rational {
+    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let corner = |k: usize| &points[cycle[k % cycle.len()] as usize];
+    (0..cycle.len()).fold(Rational::from(0), |sum, k| {
+        let (p, q) = (corner(k), corner(k + 1));
+        sum + p.coordinate(i) * q.coordinate(j) - p.coordinate(j) * q.coordinate(i)
+    })
+}
+
+/// The first facet of the surface that does not lie on the facet of the hull with the same normal.
+fn first_off_hull(surface: &Surface<'_>, hull: &Polytope) -> Option<FacetId> {
+    let key = |normal: &Vector3| {
+        let primitive = normal.primitive();
+        [0, 1, 2].map(|axis| primitive.coordinate(axis))
+    };
+    let by_normal: HashMap<_, _> =
+        hull.mesh.facets().map(|f| (key(&hull.normals[f.index()]), f)).collect();
+    surface.mesh.facets().find(|f| {
+        let normal = &surface.normals[f.index()];
+        if normal.is_zero() {
+            return false; // a facet without area covers nothing
+        }
+        let corner = &surface.points[surface.mesh.source(surface.mesh.boundary(*f)).index()];
+        by_normal.get(&key(normal)).is_none_or(|&g| {
+            let on = &hull.points[hull.mesh.source(hull.mesh.boundary(g)).index()];
+            exact::predicate::plane_side(&hull.normals[g.index()], on, corner) != Sign::Zero
+        })
+    })
+}

@@ -1,0 +1,226 @@
+//! The fast check: is a mesh, as it stands, the boundary of a convex polytope?
+
+use super::error::MeshError;
+use crate::polytope::{corner_normal, edge_vectors, nonzero_axis, side};
+use dcel::{HalfedgeId, Mesh};
+use exact::{Integer, Point3, Rational, Sign, Vector3, predicate};
+
+/// A closed surface with the vectors of its edges and the normals of its facets.
+pub(super) struct Surface<'m> {
+    pub(super) points: &'m [Point3],
+    pub(super) mesh: &'m Mesh,
+    pub(super) edges: Vec<Vector3>,
+    /// Zero for a facet whose corners are collinear.
+    pub(super) normals: Vec<Vector3>,
+}
+
+/// How the edges of a surface turn.
+#[derive(Clone, Copy, Debug, Default)]
+pub(super) struct Turns {
+    pub(super) convex: usize,
+    /// Between coplanar facets, or at a facet of collinear corners.
+    pub(super) flat: usize,
+    pub(super) reflex: usize,
+    /// The first reflex and the first convex edge.
+    pub(super) first_reflex: Option<HalfedgeId>,
+    pub(super) first_convex: Option<HalfedgeId>,
+}
+
+impl<'m> Surface<'m> {
+    /// Computes the vectors and normals.
+    ///
+    /// # Errors
+    /// The first facet that is not planar.
+    pub(super) fn new(points: &'m [Point3], mesh: &'m Mesh) -> Result<Self, MeshError> {
+        let mut surface = Self { points, mesh, edges: edge_vectors(points, mesh), normals: Vec::new() };
+        surface.normals.reserve(mesh.facet_count());
+        for f in mesh.facets() {
+            let first = mesh.boundary(f);
+            let mut normal = corner_normal(mesh, &surface.edges, first);
+            if mesh.next(mesh.next(mesh.next(first))) != first {
+                normal = surface.polygon_normal(first, normal)?;
+            }
+            surface.normals.push(normal);
+        }
+        Ok(surface)
+    }
+
+    /// The normal of a polygon that may be non-convex and have straight corners, and a check that all
+    /// corners lie in its plane.
+    fn polygon_normal(&self, first: HalfedgeId, corner: Vector3) -> Result<Vector3, MeshError> {
+        let mesh = self.mesh;
+        let f = mesh.facet(first);
+        let plane = mesh.facet_cycle(f).map(|h| corner_normal(mesh, &self.edges, h)).find(|n| !n.is_zero());
+        let Some(plane) = plane else { return Ok(corner) };
+        let on = &self.points[mesh.source(first).index()];
+        for h in mesh.facet_cycle(f) {
+            if side(&self.edges, &plane, h) != Sign::Zero {
+                let vertex = mesh.target(h);
+                let squared_distance = squared_distance(&plane, on, &self.points[vertex.index()]);
+                return Err(MeshError::NonPlanar { facet: f.0, vertex: vertex.0, squared_distance });
+            }
+        }
+        // Outwards is the side from which the polygon is counterclockwise: the sign of its area.
+        let axis = nonzero_axis(&plane);
+        let convex = mesh
+            .facet_cycle(f)
+            .all(|h| corner_normal(mesh, &self.edges, h).sign(axis) == plane.sign(axis));
+        if convex || self.turns_positively(f, axis) == plane.sign(axis) { Ok(plane) } else { Ok(-plane) }
+    }
+
+    /// The sign of the area of a polygon seen along an axis.
+    fn turns_positively(&self, f: dcel::FacetId, axis: usize) -> Sign {
+        let cycle: Vec<&Point3> =
+            self.mesh.facet_cycle(f).map(|h| &self.points[self.mesh.source(h).index()]).collect();
+        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+        let mut area = Rational::from(0);
+        for k in 0..cycle.len() {
+            let (p, q) = (cycle[k], cycle[(k + 1) % cycle.len()]);
+            area = area + p.coordinate(i) * q.coordinate(j) - p.coordinate(j) * q.coordinate(i);
+        }
+        area.sign()
+    }
+
+    /// Sorts the edges by the way they turn. An edge is convex if the next corner of the facet on its
+    /// right lies below the plane of that on its left.
+    pub(super) fn turns(&self) -> Turns {
+        let mut turns = Turns::default();
+        for h in self.mesh.edges() {
+            match self.turn(h) {
+                Sign::Negative => {
+                    turns.convex += 1;
+                    turns.first_convex = turns.first_convex.or(Some(h));
+                }
+                Sign::Zero => turns.flat += 1,
+                Sign::Positive => {
+                    turns.reflex += 1;
+                    turns.first_reflex = turns.first_reflex.or(Some(h));
+                }
+            }
+        }
+        turns
+    }
+
+    /// Positive at a reflex edge. The corner after an edge may be straight or turn the other way in a
+    /// non-convex facet, so the planes decide: the normal of the right facet against a vector within
+    /// the left facet, pointing to its inside.
+    fn turn(&self, h: HalfedgeId) -> Sign {
+        let (left, right) = (self.mesh.facet(h), self.mesh.facet(h.twin()));
+        let (l, r) = (&self.normals[left.index()], &self.normals[right.index()]);
+        if l.is_zero() || r.is_zero() {
+            return Sign::Zero;
+        }
+        let next = self.mesh.next(h.twin());
+        if self.mesh.next(self.mesh.next(next)) == h.twin() {
+            return side(&self.edges, l, next); // a triangle
+        }
+        // The turn of the normals about the edge, from the left to the right facet: counterclockwise
+        // at a convex edge.
+        let axis = &self.edges[h.edge()];
+        let turn = predicate::circle_order(axis, l, r);
+        if h.0 & 1 == 0 { -turn } else { turn }
+    }
+
+    /// Whether every facet is a strictly convex polygon that winds once.
+    pub(super) fn facets_are_convex(&self) -> bool {
+        self.mesh.facets().all(|f| {
+            let normal = &self.normals[f.index()];
+            if normal.is_zero() {
+                return false;
+            }
+            if self.mesh.facet_cycle(f).nth(3).is_none() {
+                return true;
+            }
+            let axis = nonzero_axis(normal);
+            let convex = self
+                .mesh
+                .facet_cycle(f)
+                .all(|h| corner_normal(self.mesh, &self.edges, h).sign(axis) == normal.sign(axis));
+            // A cycle that only turns left winds as often as it has highest corners.
+            convex && self.highest_corners(f) == 1
+        })
+    }
+
+    fn highest_corners(&self, f: dcel::FacetId) -> usize {
+        let point = |h| &self.points[self.mesh.source(h).index()];
+        let is_highest = |&h: &HalfedgeId| {
+            point(self.mesh.prev(h)) < point(h) && point(self.mesh.next(h)) < point(h)
+        };
+        self.mesh.facet_cycle(f).filter(is_highest).count()
+    }
+
+    /// Whether a connected surface of convex facets and convex edges is the boundary of a convex
+    /// polytope, or winds around more than once.
+    ///
+    /// From a point below all facets the surface is seen as a covering of the sphere of directions,
+    /// branched at vertices at most. The number of sheets is the number of facets met in a direction
+    /// inside one of them. With one sheet the surface is embedded, and an embedded surface that is
+    /// convex at every edge bounds a convex body (Tietze and Nakajima). Otherwise a facet is named
+    /// that shows it: one with the point above it, or one on a second sheet.
+    pub(super) fn winds_once(&self) -> Result<(), dcel::FacetId> {
+        let (mesh, first) = (self.mesh, dcel::FacetId(0));
+        let corner = |h: HalfedgeId| &self.points[mesh.source(h).index()];
+        let base: Vec<&Point3> = mesh.facet_cycle(first).take(3).map(corner).collect();
+        let below = self.points.iter().find(|p| self.above(first, p) == Sign::Negative);
+        let Some(below) = below else { return Err(first) };
+        let corners = [base[0], base[1], base[2], below];
+        let above_centre = |o: &Point3| mesh.facets().find(|&f| self.above(f, o) != Sign::Negative);
+        let mut centre = mean(&corners, true);
+        if above_centre(&centre).is_some() {
+            centre = mean(&corners, false); // the rounded one is not inside, or none is
+            if let Some(f) = above_centre(&centre) {
+                return Err(f);
+            }
+        }
+        let seen: Vec<Vector3> = self.points.iter().map(|p| centre.direction_to(p)).collect();
+        let at = |h: HalfedgeId| &seen[mesh.source(h).index()];
+        // A direction strictly inside the first facet.
+        let spread: Vec<HalfedgeId> = mesh.facet_cycle(first).take(3).collect();
+        let inside = Vector3::new(std::array::from_fn(|i| {
+            at(spread[0]).coordinate(i) + at(spread[1]).coordinate(i) + at(spread[2]).coordinate(i)
+        }));
+        let met = |f: dcel::FacetId| {
+            mesh.facet_cycle(f)
+                .all(|h| predicate::orientation(at(h), at(mesh.next(h)), &inside) != Sign::Negative)
+        };
+        match mesh.facets().skip(1).find(|&f| met(f)) {
+            Some(f) => Err(f),
+            None => Ok(()),
+        }
+    }
+
+    /// The side of the plane of `f` on which a point lies: positive above.
+    fn above(&self, f: dcel::FacetId, point: &Point3) -> Sign {
+        let on = &self.points[self.mesh.source(self.mesh.boundary(f)).index()];
+        predicate::plane_side(&self.normals[f.index()], on, point)
+    }
+}
+
+/// The mean of four points: exact, or rounded to the grid of the first one's weight, which keeps
+/// differences narrow (used only after a check that it lies where it should).
+fn mean(points: &[&Point3; 4], on_grid: bool) -> Point3 {
+    let four = Integer::from(4);
+    let weight = points[0].weight();
+    let sum: [Rational; 3] = std::array::from_fn(|axis| {
+        points.iter().fold(Rational::from(0), |sum, p| sum + p.coordinate(axis))
+    });
+    if on_grid {
+        let grid = sum.map(|s| {
+            let scaled = s * Rational::from(weight.clone());
+            scaled.numerator().div_rem(&(scaled.denominator() * &four)).0
+        });
+        Point3::new(grid, weight).expect("weights are positive")
+    } else {
+        let quarter = Rational::new(Integer::from(1), four).expect("four is not zero");
+        Point3::from_rationals(&sum.map(|s| s * quarter.clone()))
+    }
+}
+
+/// The square of the distance of `p` from the plane through `on` with that normal.
+pub(crate) fn squared_distance(normal: &Vector3, on: &Point3, p: &Point3) -> Rational {
+    let height = (0..3).fold(Rational::from(0), |sum, axis| {
+        sum + (p.coordinate(axis) - on.coordinate(axis)) * Rational::from(normal.coordinate(axis))
+    });
+    let square = height.clone() * height;
+    square.checked_div(&Rational::from(normal.dot(normal))).expect("a normal is not zero")
+}
