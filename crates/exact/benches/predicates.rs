@@ -1,0 +1,2 @@
+//! Times the predicates. `cargo bench -p splitstar-exact [--features count-tiers]`.
+fn main() {}
