@@ -1,0 +1,204 @@
+//! The model files of the repository: what the broken ones say, and that the others come back.
+
+use splitstar_formats::{Coordinates, Kind, WriteError, WriteOptions, read_off, write_off};
+use std::path::{Path, PathBuf};
+
+fn models() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models")
+}
+
+fn collect(folder: &Path, into: &mut Vec<PathBuf>) {
+    for entry in std::fs::read_dir(folder).expect("the folder of models is there") {
+        let path = entry.unwrap().path();
+        if path.is_dir() {
+            collect(&path, into);
+        } else if path.extension().is_some_and(|extension| extension == "off" || extension == "xoff") {
+            into.push(path);
+        }
+    }
+}
+
+#[test]
+fn exact_files_come_back_the_same() {
+    let mut paths = Vec::new();
+    collect(&models(), &mut paths);
+    let mut compared = 0;
+    for path in paths {
+        let bytes = std::fs::read(&path).unwrap();
+        let Ok(read) = read_off(&bytes) else {
+            assert!(path.components().any(|part| part.as_os_str() == "invalid"), "{}", path.display());
+            continue;
+        };
+        let (text, report) = write_off(&read.mesh, &WriteOptions::default()).unwrap();
+        let again = read_off(&text).unwrap();
+        assert_eq!(again.mesh.points, read.mesh.points, "{}", path.display());
+        assert_eq!(again.mesh.facets, read.mesh.facets, "{}", path.display());
+        assert_eq!(report.largest_rounding.to_string(), "0");
+        assert_eq!(write_off(&again.mesh, &WriteOptions::default()).unwrap().0, text, "{}", path.display());
+        compared += 1;
+    }
+    assert!(compared >= 40, "only {compared} models were found");
+}
+
+/// File of `models/invalid`, and the message.
+const BROKEN: &[(&str, &str)] = &[
+    ("coordinate_nan.off", "line 3: `nan` is not finite; write a finite number"),
+    ("coordinate_inf.off", "line 3: `inf` is not finite; write a finite number"),
+    ("coordinate_word.off", "line 3: `zero` is no number; write an integer, a decimal or a fraction p/q"),
+    ("zero_denominator.xoff", "line 3: `1/0` has the denominator zero; write a fraction p/q with q not zero"),
+    (
+        "exponent_bomb.off",
+        "line 3: the exponent of `1e999999999` is too large; the largest exponent allowed is 400",
+    ),
+    (
+        "two_vertex_facet.off",
+        "line 17: a facet of two vertices beside polygons; remove it, or give it a third vertex",
+    ),
+    (
+        "repeated_index.off",
+        "line 16: the facet has vertex 0 twice in a row; name every vertex of a facet once",
+    ),
+    (
+        "index_out_of_range.off",
+        "line 16: vertex index 8, but the file has 8 vertices; indices run from 0 to 7",
+    ),
+    ("negative_index.off", "line 16: vertex index -1, but the file has 8 vertices; indices run from 0 to 7"),
+    (
+        "truncated.off",
+        "line 12: the file ends where a facet was expected, after 2 of 6 facets; \
+         complete it, or correct the counts",
+    ),
+    (
+        "truncated_header.off",
+        "line 2: the file ends where the numbers of vertices, facets and edges were expected; \
+         complete it, or correct the counts",
+    ),
+    (
+        "wrong_counts.off",
+        "line 16: the file ends where a facet was expected, after 6 of 9 facets; \
+         complete it, or correct the counts",
+    ),
+    (
+        "huge_counts.off",
+        "line 16: the file ends where a vertex was expected, after 14 of 4000000000 vertices; \
+         complete it, or correct the counts",
+    ),
+    (
+        "no_header.off",
+        "line 1: no known format: the file begins with `8`; an OFF file begins with the word OFF",
+    ),
+    ("empty.off", "the file is empty; an OFF file was expected"),
+    ("zero_everything.off", "line 2: the mesh is empty: it has no vertex; at least one is needed"),
+];
+
+/// Files of `models/invalid` that are correct files: what is wrong is the mesh.
+const WELL_FORMED: &[&str] = &[
+    "duplicate_vertex_unused.off",
+    "facet_soup.off",
+    "flat.off",
+    "flipped_facet.off",
+    "huge_exponent.off",
+    "inside_out.off",
+    "non_manifold_edge.off",
+    "non_manifold_vertex.off",
+    "non_planar_quad.off",
+    "open_mesh.off",
+    "overlapping_shells.off",
+    "self_intersecting.off",
+    "zero_area_facet.off",
+    "zero_facets.off",
+];
+
+#[test]
+fn broken_files_say_what_is_wrong() {
+    let folder = models().join("invalid");
+    let mut paths = Vec::new();
+    collect(&folder, &mut paths);
+    assert!(!paths.is_empty());
+    for path in paths {
+        let name = path.file_name().unwrap().to_str().unwrap();
+        let result = read_off(&std::fs::read(&path).unwrap());
+        if name == "binary_garbage.off" {
+            let message = result.unwrap_err().to_string();
+            assert!(message.starts_with("line 1: no known format: the file begins with `"), "{message}");
+            assert!(message.is_ascii(), "{message}");
+        } else if name == "binary_after_header.off" {
+            let message = result.unwrap_err().to_string();
+            assert!(message.starts_with("line 3: `"), "{message}");
+            assert!(message.is_ascii(), "{message}");
+        } else if let Some((_, message)) = BROKEN.iter().find(|row| row.0 == name) {
+            assert_eq!(result.unwrap_err().to_string(), *message, "{name}");
+        } else {
+            assert!(WELL_FORMED.contains(&name), "{name} has no row");
+            let read = result.unwrap_or_else(|error| panic!("{name}: {error}"));
+            let points = if name == "zero_facets.off" { Kind::Points } else { Kind::Surface };
+            assert_eq!(read.kind(), points, "{name}");
+        }
+    }
+}
+
+fn floats(text: &[u8]) -> Result<(String, String), WriteError> {
+    let read = read_off(text).unwrap();
+    let options = WriteOptions::with_coordinates(Coordinates::Float);
+    let (written, report) = write_off(&read.mesh, &options)?;
+    Ok((String::from_utf8(written).unwrap(), report.largest_rounding.to_string()))
+}
+
+#[test]
+fn floats_are_the_nearest_and_shortest() {
+    // Coordinates, as written, and the exact rounding.
+    let rows = [
+        ("0 -0 1", "0 0 1", "0"),
+        ("1/2 -3/4 10", "0.5 -0.75 10", "0"),
+        ("1/3 0 0", "0.3333333333333333 0 0", "1/54043195528445952"),
+        ("0.1 0 0", "0.1 0 0", "1/180143985094819840"),
+        // Halfway between two doubles: the even one.
+        ("9007199254740993 0 0", "9007199254740992 0 0", "1"),
+        ("9007199254740995 0 0", "9007199254740996 0 0", "1"),
+        ("1e16 1e-5 1e-6", "1e16 0.00001 1e-6", "1509/1844674407370955161600000"),
+        ("1e308 0 5e-324", "1e308 0 5e-324", ""),
+        ("1e-400 -1e-400 0", "0 0 0", ""),
+        ("1.7976931348623157e308 0 0", "1.7976931348623157e308 0 0", ""),
+    ];
+    for (exact, float, rounding) in rows {
+        let (text, largest) = floats(format!("OFF\n1 0 0\n{exact}\n").as_bytes()).unwrap();
+        assert_eq!(text, format!("OFF\n1 0 0\n{float}\n"));
+        // The last rows have hundreds of digits; that they read back is what the next test checks.
+        assert!(rounding.is_empty() || rounding == largest, "{exact}: {largest}");
+    }
+    let beyond = floats(b"OFF\n2 0 0\n0 0 0\n1.8e308 0 0\n").unwrap_err();
+    assert_eq!(beyond, WriteError::TooLargeForFloat { vertex: 1 });
+}
+
+#[test]
+fn floats_read_back_as_the_nearest_double() {
+    let path = models().join("convex/odp.xoff");
+    let read = read_off(&std::fs::read(path).unwrap()).unwrap();
+    let options = WriteOptions::with_coordinates(Coordinates::Float);
+    let (text, report) = write_off(&read.mesh, &options).unwrap();
+    let text = String::from_utf8(text).unwrap();
+    let mut largest = 0.0_f64;
+    for (line, point) in text.lines().skip(2).zip(&read.mesh.points) {
+        for (word, coordinate) in line.split(' ').zip(point.coordinates()) {
+            let float: f64 = word.parse().unwrap();
+            let back = exact::Rational::try_from(float).unwrap();
+            assert!(back.approx_f64().to_bits() == coordinate.approx_f64().to_bits(), "{word}");
+            largest = largest.max((&back - &coordinate).abs().approx_f64());
+        }
+    }
+    assert!(largest > 0.0);
+    assert_eq!(largest.to_bits(), report.largest_rounding.approx_f64().to_bits());
+}
+
+#[test]
+fn edges_are_counted() {
+    let counts = |name: &str| {
+        let read = read_off(&std::fs::read(models().join(name)).unwrap()).unwrap();
+        let text = write_off(&read.mesh, &WriteOptions::default()).unwrap().0;
+        String::from_utf8(text).unwrap().lines().nth(1).unwrap().to_string()
+    };
+    assert_eq!(counts("convex/cube.off"), "8 6 12");
+    assert_eq!(counts("invalid/open_mesh.off"), "8 5 12");
+    assert_eq!(counts("invalid/zero_facets.off"), "8 0 0");
+    assert_eq!(counts("convex/dp.off"), "17 17 32");
+}

@@ -1,0 +1,144 @@
+//! Changed files, many: the reader answers at once, and what it accepts it can write and read again.
+
+use splitstar_formats::{WriteOptions, read_off, write_off};
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+const SEED: u64 = 0x0FF5_EED0;
+const CASES: usize = 20_000;
+
+/// SplitMix64 (Steele, Lea and Flood 2014).
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, bound: usize) -> usize {
+        (self.next() % bound.max(1) as u64) as usize
+    }
+}
+
+const SPLICES: &[&[u8]] = &[
+    b"-",
+    b"+",
+    b".",
+    b"e",
+    b"/",
+    b"#",
+    b"\n",
+    b"\r",
+    b"\r\n",
+    b" ",
+    b"\0",
+    b"\xFF",
+    b"0",
+    b"9",
+    b"OFF",
+    b"BINARY",
+    b"1e400",
+    b"1e-400",
+    b"1e401",
+    b"1e99999999999",
+    b"1/0",
+    b"1/3",
+    b"-7/999999999999999999",
+    b"nan",
+    b"inf",
+    b"4294967295",
+    b"4294967294",
+    b"18446744073709551616",
+    b"-1",
+    b"0.1",
+    b"2 0 1",
+    b"3 0 1 2",
+    b"1 0",
+    b"STCN",
+    b"123456789012345678901234567890",
+    b"0.000000000000000000000000000000001",
+];
+
+fn mutate(text: &mut Vec<u8>, random: &mut Random) {
+    let at = random.below(text.len() + 1);
+    match random.below(7) {
+        0 if at < text.len() => text[at] ^= 1 << random.below(8),
+        1 if at < text.len() => text[at] = random.next() as u8,
+        2 => {
+            let splice = SPLICES[random.below(SPLICES.len())];
+            text.splice(at..at, splice.iter().copied());
+        }
+        3 => {
+            // Over a whole word.
+            let splice = SPLICES[random.below(SPLICES.len())];
+            let is_blank = |b: &u8| b.is_ascii_whitespace();
+            let end = text[at..].iter().position(is_blank).map_or(text.len(), |length| at + length);
+            let start = text[..at].iter().rposition(is_blank).map_or(0, |before| before + 1);
+            text.splice(start..end, splice.iter().copied());
+        }
+        4 => {
+            let end = (at + random.below(40)).min(text.len());
+            text.drain(at..end);
+        }
+        5 => {
+            let end = (at + random.below(40)).min(text.len());
+            let copy = text[at..end].to_vec();
+            let to = random.below(text.len() + 1);
+            text.splice(to..to, copy);
+        }
+        _ => {
+            if random.below(8) == 0 {
+                text.truncate(at);
+            }
+        }
+    }
+}
+
+#[test]
+fn changed_files_never_break_the_reader() {
+    let models = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../models");
+    let bases = [
+        "convex/cube.off",
+        "convex/dp.off",
+        "convex/odp.xoff",
+        "invalid/flat.off",
+        "invalid/huge_counts.off",
+        "invalid/zero_facets.off",
+    ]
+    .map(|name| std::fs::read(models.join(name)).unwrap());
+    println!("seed {SEED:#x}, {CASES} cases");
+    let mut random = Random(SEED);
+    let (mut accepted, mut slowest) = (0, Duration::ZERO);
+    for case in 0..CASES {
+        let mut text = bases[random.below(bases.len())].clone();
+        for _ in 0..=random.below(4) {
+            mutate(&mut text, &mut random);
+        }
+        let start = Instant::now();
+        let result = read_off(&text);
+        slowest = slowest.max(start.elapsed());
+        match result {
+            Ok(read) => {
+                accepted += 1;
+                assert!(read.mesh.points.capacity() <= text.len() / 6 + 1, "case {case}");
+                let (written, _) = write_off(&read.mesh, &WriteOptions::default()).unwrap();
+                let again = read_off(&written).unwrap_or_else(|error| panic!("case {case}: {error}"));
+                assert_eq!(again.mesh.points, read.mesh.points, "case {case}");
+                assert_eq!(again.mesh.facets, read.mesh.facets, "case {case}");
+                assert_eq!(again.kind(), read.kind(), "case {case}");
+            }
+            Err(error) => {
+                let message = error.to_string();
+                assert!(message.len() < 300 && !message.contains('\n'), "case {case}: {message}");
+                assert!(!message.contains(char::is_control), "case {case}: {message}");
+            }
+        }
+    }
+    println!("{accepted} accepted, slowest {slowest:?}");
+    assert!(accepted > CASES / 20 && accepted < CASES * 19 / 20, "{accepted} of {CASES} accepted");
+    assert!(slowest < Duration::from_secs(2), "{slowest:?}");
+}
