@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `polytope`, `measure`, `validity` | the halfedge polytope, its volume, what it promises |
 //! | `polygon_mesh`, `facets`, `mesh` | meshes as files have them, and the way from them to polytopes |
+//! | `triangulate` | facets cut into triangles |
 //! | `hull` | the convex hull of any finite point set |
 //! | `overlay`, `sum` | the Minkowski sum by the overlay of Gaussian maps |
 
@@ -15,6 +16,7 @@ mod overlay;
 mod polygon_mesh;
 mod polytope;
 mod sum;
+mod triangulate;
 mod validity;
 
 pub use facets::Facets;
@@ -24,6 +26,7 @@ pub use overlay::OverlayCounts;
 pub use polygon_mesh::PolygonMesh;
 pub use polytope::{Counts, Polytope, convex_hull};
 pub use sum::{minkowski_sum, minkowski_sum_by_hull, overlay_counts};
+pub use triangulate::TriangulateError;
 pub use validity::Violation;
 
 pub use dcel::{Defect, FacetId, HalfedgeId, Mesh, VertexId};
