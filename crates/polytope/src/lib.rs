@@ -8,6 +8,11 @@
 //! | `hull` | the convex hull of any finite point set |
 //! | `overlay`, `sum` | the Minkowski sum by the overlay of Gaussian maps |
 
+#[cfg(feature = "faults")]
+pub mod fault;
+#[cfg(not(feature = "faults"))]
+mod fault;
+
 mod facets;
 mod hull;
 mod measure;

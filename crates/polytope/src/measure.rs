@@ -132,15 +132,17 @@ fn tetrahedron(apex: &Point3, corners: [&Point3; 3]) -> (Integer, Integer) {
     let minor = |i: usize, j: usize| &b[i] * &c[j] - &b[j] * &c[i];
     let det = &a[0] * &minor(1, 2) + &a[1] * &minor(2, 0) + &a[2] * &minor(0, 1);
     let cube = w.pow(3);
-    let weight =
-        if common { cube } else { corners.iter().fold(cube, |product, p| product * &p.weight()) };
+    let weight = if common { cube } else { corners.iter().fold(cube, |product, p| product * &p.weight()) };
     (det, weight)
 }
 
 /// Adds neighbours first: denominators stay small as long as they can.
 fn balanced_sum(mut terms: Vec<Rational>) -> Rational {
     while terms.len() > 1 {
-        terms = terms.chunks(2).map(|pair| pair.iter().cloned().reduce(|a, b| a + b).unwrap_or_default()).collect();
+        terms = terms
+            .chunks(2)
+            .map(|pair| pair.iter().cloned().reduce(|a, b| a + b).unwrap_or_default())
+            .collect();
     }
     terms.pop().unwrap_or_default()
 }

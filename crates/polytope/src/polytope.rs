@@ -236,7 +236,9 @@ impl Polytope {
 
 /// The vector of the even halfedge of every edge.
 pub(crate) fn edge_vectors(points: &[Point3], mesh: &Mesh) -> Vec<Vector3> {
-    mesh.edges().map(|h| points[mesh.source(h).index()].direction_to(&points[mesh.target(h).index()])).collect()
+    mesh.edges()
+        .map(|h| points[mesh.source(h).index()].direction_to(&points[mesh.target(h).index()]))
+        .collect()
 }
 
 /// The cross product of a halfedge and the next one: a normal of their facet, outwards if the corner

@@ -92,7 +92,10 @@ fn merge(summands: &[&Polytope], add: &(impl Fn(&Polytope, &Polytope) -> Polytop
     }
 }
 
-fn merge_sorted(summands: &[&Polytope], add: &(impl Fn(&Polytope, &Polytope) -> Polytope + Sync)) -> Polytope {
+fn merge_sorted(
+    summands: &[&Polytope],
+    add: &(impl Fn(&Polytope, &Polytope) -> Polytope + Sync),
+) -> Polytope {
     match summands {
         [p, q] => add(p, q),
         [p, q, r] => add(&add(p, q), r),

@@ -154,8 +154,9 @@ impl Polygon<'_> {
         let n = cycle.len();
         let mut next: Vec<usize> = (0..n).map(|i| (i + 1) % n).collect();
         let mut before: Vec<usize> = (0..n).map(|i| (i + n - 1) % n).collect();
-        let turn_at =
-            |before: &[usize], next: &[usize], i: usize| self.turn(cycle[before[i]], cycle[i], cycle[next[i]]);
+        let turn_at = |before: &[usize], next: &[usize], i: usize| {
+            self.turn(cycle[before[i]], cycle[i], cycle[next[i]])
+        };
         let mut turns: Vec<Sign> = (0..n).map(|i| turn_at(&before, &next, i)).collect();
         // Only these may lie in an ear. A corner that has become convex stays so.
         let mut blunt: Vec<usize> = (0..n).filter(|&i| turns[i] != Sign::Positive).collect();

@@ -64,11 +64,15 @@ impl Polytope {
         }
         let mut order: Vec<usize> = (0..self.points.len()).collect();
         order.sort_by(|&v, &w| self.points[v].cmp(&self.points[w]));
-        found.extend(order.windows(2).filter(|p| self.points[p[0]] == self.points[p[1]]).map(|p| {
-            Violation::SamePosition(VertexId::new(p[0]), VertexId::new(p[1]))
-        }));
+        found.extend(
+            order
+                .windows(2)
+                .filter(|p| self.points[p[0]] == self.points[p[1]])
+                .map(|p| Violation::SamePosition(VertexId::new(p[0]), VertexId::new(p[1]))),
+        );
         for h in self.mesh.edges() {
-            let [source, target] = [self.mesh.source(h), self.mesh.target(h)].map(|v| &self.points[v.index()]);
+            let [source, target] =
+                [self.mesh.source(h), self.mesh.target(h)].map(|v| &self.points[v.index()]);
             let along = source.direction_to(target);
             let vector = &self.edges[h.edge()];
             if vector.is_zero()
@@ -129,7 +133,8 @@ impl Polytope {
             let on = &self.points[self.mesh.source(self.mesh.boundary(f)).index()];
             for v in self.mesh.vertices() {
                 let side = predicate::plane_side(&self.normals[f.index()], on, &self.points[v.index()]);
-                let expected = if on_facet[v.index()] == f || self.dimension == 2 { Sign::Zero } else { Sign::Negative };
+                let expected =
+                    if on_facet[v.index()] == f || self.dimension == 2 { Sign::Zero } else { Sign::Negative };
                 if side != expected {
                     found.push(Violation::Above(f, v));
                 }

@@ -29,6 +29,7 @@
 //! A point stands in a list only while a triangle sees it, an insertion takes one point out of all lists, and none comes
 //! back. Hence there are fewer insertions than points.
 
+use crate::fault::{Fault, injected};
 use std::cmp::Ordering;
 
 use exact::predicate::plane_side;
@@ -324,7 +325,7 @@ impl<'a> Builder<'a> {
                 surface.twin.push(new_twin);
                 if h < g {
                     let opposite = self.source[prev(g) as usize];
-                    let is_flat = self.side(t, opposite) == Sign::Zero;
+                    let is_flat = self.side(t, opposite) == Sign::Zero && !injected(Fault::SkippedMerge);
                     surface.is_flat[new as usize] = is_flat;
                     surface.is_flat[new_twin as usize] = is_flat;
                 }

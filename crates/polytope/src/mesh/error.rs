@@ -70,7 +70,9 @@ impl fmt::Display for MeshError {
                 f,
                 "not convex: facet {facet} does not lie on the boundary of the convex hull, or the surface covers it twice"
             ),
-            Self::LooseEdge { facet } => write!(f, "facet {facet} has two vertices only, beside other facets"),
+            Self::LooseEdge { facet } => {
+                write!(f, "facet {facet} has two vertices only, beside other facets")
+            }
         }
     }
 }

@@ -15,7 +15,7 @@ pub use summary::{MeshSummary, hull_depth};
 
 use crate::measure::signed_volume;
 use crate::polytope::nonzero_axis;
-use crate::{Polytope, PolygonMesh, convex_hull};
+use crate::{PolygonMesh, Polytope, convex_hull};
 use dcel::{Defect, FacetId, HalfedgeId, Mesh};
 use exact::{Rational, Sign, Vector3};
 use std::collections::HashMap;
@@ -108,7 +108,9 @@ fn from_polygon(mesh: &PolygonMesh, notes: &mut Vec<Note>) -> Result<Polytope, M
     // That it has no volume is how it was meant, and the back facet is ours.
     notes.extend(found.into_iter().filter_map(|note| match note {
         Note::Flat { dimension: 2 } => None,
-        Note::Joined { from: [v, n], to: [w, m] } => (v != w).then_some(Note::Joined { from: [v, n / 2], to: [w, m] }),
+        Note::Joined { from: [v, n], to: [w, m] } => {
+            (v != w).then_some(Note::Joined { from: [v, n / 2], to: [w, m] })
+        }
         other => Some(other),
     }));
     Ok(polytope)
@@ -206,15 +208,18 @@ impl Check<'_> {
                 let area = |points: &[exact::Point3], cycles: &mut dyn Iterator<Item = Vec<u32>>| {
                     cycles.fold(Rational::from(0), |sum, cycle| sum + twice_area(points, &cycle, axis))
                 };
-                let front = self.mesh.facets().filter(|f| {
-                    surface.normals[f.index()].sign(axis) == hull.normals[0].sign(axis)
-                });
+                let front = self
+                    .mesh
+                    .facets()
+                    .filter(|f| surface.normals[f.index()].sign(axis) == hull.normals[0].sign(axis));
                 let covered = area(
                     &self.compact.points,
                     &mut front.map(|f| self.compact.facets.get(f.index()).to_vec()),
                 );
-                let whole =
-                    area(&hull.points, &mut std::iter::once(hull.facet_cycle(FacetId(0)).map(|v| v.0).collect()));
+                let whole = area(
+                    &hull.points,
+                    &mut std::iter::once(hull.facet_cycle(FacetId(0)).map(|v| v.0).collect()),
+                );
                 if covered != whole {
                     return Err(self.not_on_hull(FacetId(0)));
                 }
@@ -248,8 +253,7 @@ fn first_off_hull(surface: &Surface<'_>, hull: &Polytope) -> Option<FacetId> {
         let primitive = normal.primitive();
         [0, 1, 2].map(|axis| primitive.coordinate(axis))
     };
-    let by_normal: HashMap<_, _> =
-        hull.mesh.facets().map(|f| (key(&hull.normals[f.index()]), f)).collect();
+    let by_normal: HashMap<_, _> = hull.mesh.facets().map(|f| (key(&hull.normals[f.index()]), f)).collect();
     surface.mesh.facets().find(|f| {
         let normal = &surface.normals[f.index()];
         if normal.is_zero() {

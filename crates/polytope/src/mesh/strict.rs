@@ -62,9 +62,8 @@ impl<'m> Surface<'m> {
         }
         // Outwards is the side from which the polygon is counterclockwise: the sign of its area.
         let axis = nonzero_axis(&plane);
-        let convex = mesh
-            .facet_cycle(f)
-            .all(|h| corner_normal(mesh, &self.edges, h).sign(axis) == plane.sign(axis));
+        let convex =
+            mesh.facet_cycle(f).all(|h| corner_normal(mesh, &self.edges, h).sign(axis) == plane.sign(axis));
         if convex || self.turns_positively(f, axis) == plane.sign(axis) { Ok(plane) } else { Ok(-plane) }
     }
 
@@ -143,9 +142,8 @@ impl<'m> Surface<'m> {
 
     fn highest_corners(&self, f: dcel::FacetId) -> usize {
         let point = |h| &self.points[self.mesh.source(h).index()];
-        let is_highest = |&h: &HalfedgeId| {
-            point(self.mesh.prev(h)) < point(h) && point(self.mesh.next(h)) < point(h)
-        };
+        let is_highest =
+            |&h: &HalfedgeId| point(self.mesh.prev(h)) < point(h) && point(self.mesh.next(h)) < point(h);
         self.mesh.facet_cycle(f).filter(is_highest).count()
     }
 
@@ -201,9 +199,8 @@ impl<'m> Surface<'m> {
 fn mean(points: &[&Point3; 4], on_grid: bool) -> Point3 {
     let four = Integer::from(4);
     let weight = points[0].weight();
-    let sum: [Rational; 3] = std::array::from_fn(|axis| {
-        points.iter().fold(Rational::from(0), |sum, p| sum + p.coordinate(axis))
-    });
+    let sum: [Rational; 3] =
+        std::array::from_fn(|axis| points.iter().fold(Rational::from(0), |sum, p| sum + p.coordinate(axis)));
     if on_grid {
         let grid = sum.map(|s| {
             let scaled = s * Rational::from(weight.clone());

@@ -9,6 +9,7 @@ use super::Cells;
 use super::map::GaussianMap;
 use super::trace::{Crossing, Node, Place, Trace};
 use crate::Polytope;
+use crate::fault::{Fault, injected};
 use dcel::{Edge, HalfedgeId, Mesh};
 use exact::{Point3, Vector3};
 
@@ -41,13 +42,17 @@ pub(super) fn assemble(
         normals.push(crossing_normal(red, blue, crossing));
     }
     debug_assert_eq!(normals.len(), facets);
+    if injected(Fault::FlippedNormal)
+        && let Some(normal) = normals.last_mut()
+    {
+        *normal = -&*normal;
+    }
     let same_crossing = match_crossings(red.mesh.edge_count(), blue.mesh.edge_count(), in_blue, in_red);
 
     // The pairs of vertices on the left and on the right of each piece, and the facets at its ends.
     let pieces = in_blue.pieces.len() + in_red.pieces.len();
     let mut pairs: Vec<[u32; 2]> = Vec::with_capacity(2 * pieces);
-    let mut cells =
-        Cells { edges: Vec::with_capacity(pieces), vectors: Vec::with_capacity(pieces), normals };
+    let mut cells = Cells { edges: Vec::with_capacity(pieces), vectors: Vec::with_capacity(pieces), normals };
     for piece in &in_blue.pieces {
         let facet = |node| match node {
             Node::Red(f) => f,
@@ -73,6 +78,11 @@ pub(super) fn assemble(
         cells.push(facet(piece.from), facet(piece.to), blue, piece.arc);
     }
 
+    if injected(Fault::DroppedEdge) {
+        cells.edges.pop();
+        cells.vectors.pop();
+        pairs.truncate(2 * cells.edges.len());
+    }
     let points = number_pairs(red, blue, &pairs, &mut cells.edges);
     finish(points, cells)
 }
@@ -161,6 +171,7 @@ fn number_pairs(
             let slot = &mut number[w as usize];
             if slot.0 != v as u32 {
                 *slot = (v as u32, points.len() as u32);
+                let w = if injected(Fault::WrongVertex) && v == 0 { 0 } else { w };
                 points.push(red.points[v].plus(&blue.points[w as usize]));
             }
             let edge = &mut edges[i as usize / 2];
@@ -179,7 +190,7 @@ fn finish(points: Vec<Point3>, mut cells: Cells) -> Polytope {
         degree[edge.left as usize] += 1;
         degree[edge.right as usize] += 1;
     }
-    if degree.contains(&2) {
+    if degree.contains(&2) && !injected(Fault::SkippedDigons) {
         facets = merge_digons(&mut cells, &degree);
     }
     let mesh = Mesh::from_edges(points.len(), facets, &cells.edges);

@@ -38,7 +38,9 @@ impl<'p> GaussianMap<'p> {
     /// The map of a polytope of dimension 1 to 3.
     pub(super) fn new(polytope: &'p Polytope) -> Self {
         let (mesh, edges, normals) = match polytope.dimension {
-            3 => (Cow::Borrowed(&polytope.mesh), (&polytope.edges[..]).into(), (&polytope.normals[..]).into()),
+            3 => {
+                (Cow::Borrowed(&polytope.mesh), (&polytope.edges[..]).into(), (&polytope.normals[..]).into())
+            }
             2 => of_polygon(polytope),
             1 => of_segment(polytope),
             _ => unreachable!("a point is added by a translation, without its map"),
@@ -148,6 +150,7 @@ fn of_segment(polytope: &Polytope) -> Parts<'_> {
     let a = across.expect("a nonzero vector is parallel to at most one axis").primitive();
     let b = vector.cross(&a).primitive();
     let normals = vec![a.clone(), b.clone(), -a, -b];
-    let edges: Vec<Edge> = (0..4).map(|i| Edge { source: 0, target: 1, left: i, right: (i + 1) % 4 }).collect();
+    let edges: Vec<Edge> =
+        (0..4).map(|i| Edge { source: 0, target: 1, left: i, right: (i + 1) % 4 }).collect();
     (Cow::Owned(Mesh::from_edges(2, 4, &edges)), vec![vector.clone(); 4].into(), normals.into())
 }

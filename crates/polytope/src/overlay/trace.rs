@@ -19,6 +19,7 @@
 
 use super::OverlayCounts;
 use super::map::{GaussianMap, same_turn};
+use crate::fault::{Fault, injected};
 use dcel::{FacetId, HalfedgeId, VertexId};
 use exact::{Sign, Vector3};
 
@@ -201,7 +202,9 @@ impl Walk<'_, '_> {
                     // The arc before the exit corner: the red arc leaves through it or its end.
                     let b = ring[if exit == 0 { ring.len() - 1 } else { exit - 1 }];
                     match blue.side(target, b) {
-                        Sign::Positive => {
+                        side if side == Sign::Positive
+                            || injected(Fault::ZeroAsPositive) && side == Sign::Zero =>
+                        {
                             let entry = self.entry(r, target, &heading);
                             self.piece(r, from, Node::Red(end.0), [w, w]);
                             return Place::Face(w, Some(Chord { arc: r, exit, entry }));
@@ -221,7 +224,7 @@ impl Walk<'_, '_> {
                             self.trace.counts.arcs_through_normals += 1;
                             heading = self.leave_vertex(r, target, corner).0;
                         }
-                        Sign::Negative => {
+                        _ => {
                             let crossing = Node::Crossing(self.trace.crossings.len() as u32);
                             self.trace.crossings.push(Crossing { red: r, blue: b });
                             self.piece(r, from, crossing, [w, w]);
