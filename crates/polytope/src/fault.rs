@@ -2,7 +2,7 @@
 
 /// A mistake that the code makes on purpose.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub enum Fault {
+pub(crate) enum Fault {
     /// The normal of the first crossing points inwards.
     FlippedNormal,
     /// An edge of the sum is left out.

@@ -169,7 +169,7 @@ impl Polytope {
     /// A positive multiple of target minus source of a halfedge, as an integer vector.
     pub fn edge_vector(&self, h: HalfedgeId) -> Vector3 {
         let vector = self.edges[h.edge()].clone();
-        if h.index() % 2 == 0 { vector } else { -vector }
+        if h.index().is_multiple_of(2) { vector } else { -vector }
     }
 
     /// The polytope as a mesh: facets in order; one polygon in dimension 2, one cycle of two vertices
