@@ -356,7 +356,7 @@ impl fmt::Debug for Point3 {
 /// Gives all points one common weight if all then stay narrow; otherwise makes each canonical.
 ///
 /// Narrow points that have equal weights already are left as they are; else the weight becomes the least common multiple of
-/// the canonical weights.
+/// the weights, or of the canonical weights where only these stay narrow.
 ///
 /// # Complexity
 /// A comparison per point if the weights are equal; else a greatest common divisor and a product per point.
@@ -366,26 +366,38 @@ pub fn share_weight(points: &mut [Point3]) {
     if first.is_some() && points.iter().all(|point| weight(point) == first) {
         return;
     }
+    if try_share(points) {
+        return;
+    }
     for point in points.iter_mut() {
         *point = point.canonical();
     }
-    let Some(common) = common_weight(points) else { return };
+    try_share(points);
+}
+
+/// Gives all points their least common weight if all then stay narrow, and tells whether it did.
+fn try_share(points: &mut [Point3]) -> bool {
+    let Some(common) = common_weight(points) else { return false };
+    // Runs of points have the same weight: one division a run.
+    let (mut weight, mut factor) = (common, 1);
     let scaled = |point: &Point3| {
         let homogeneous = point.as_narrow()?;
-        let factor = i128::from(common / homogeneous[3]);
+        if homogeneous[3] != weight {
+            (weight, factor) = (homogeneous[3], i128::from(common / homogeneous[3]));
+        }
         let scaled = homogeneous.map(|value| i128::from(value) * factor);
-        fits(&scaled).then(|| Point3::of_i128(scaled))
+        fits(&scaled).then(|| Point3(Repr::Narrow(scaled.map(|value| value as i64))))
     };
-    if let Some(scaled) = points.iter().map(scaled).collect::<Option<Vec<_>>>() {
-        points.clone_from_slice(&scaled);
-    }
+    let Some(scaled) = points.iter().map(scaled).collect::<Option<Vec<_>>>() else { return false };
+    points.iter_mut().zip(scaled).for_each(|(point, scaled)| *point = scaled);
+    true
 }
 
 /// The least common multiple of the weights of narrow points; `None` if a point or the result is not narrow.
 fn common_weight(points: &[Point3]) -> Option<i64> {
     points.iter().try_fold(1_i64, |common, point| {
         let weight = point.as_narrow()?[3];
-        if common % weight == 0 {
+        if common == weight || common % weight == 0 {
             return Some(common);
         }
         let divisor = gcd_u64(common.unsigned_abs(), weight.unsigned_abs()) as i64;

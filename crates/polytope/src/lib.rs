@@ -23,6 +23,7 @@ mod polytope;
 mod sum;
 mod triangulate;
 mod validity;
+mod vectors;
 
 pub use facets::Facets;
 pub use measure::Bounds;

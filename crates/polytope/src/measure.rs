@@ -32,7 +32,7 @@ impl Polytope {
             }
             2 => {
                 // Areas are compared in a projection along an axis that the plane is not parallel to.
-                let axis = crate::polytope::nonzero_axis(&self.normals[0]);
+                let axis = crate::polytope::nonzero_axis(&self.vectors().normals[0]);
                 weighted_mean(self.triangles().into_iter().map(|[a, b, c]| {
                     let (p, q) = (difference(&b, &a), difference(&c, &a));
                     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);

@@ -1,5 +1,6 @@
 //! The polytope.
 
+use crate::vectors::{LazyVectors, Vectors};
 use crate::{Facets, PolygonMesh, hull};
 use dcel::{Edge, FacetId, HalfedgeId, Mesh, VertexId};
 use exact::{Affine3, Plane, Point3, Sign, Vector3, predicate};
@@ -25,10 +26,7 @@ pub struct Polytope {
     /// Dimension 3: the boundary. Dimension 2: front (facet 0) and back. Dimension 1: one edge with
     /// the same facet on both sides. Dimension 0: nothing.
     pub(crate) mesh: Mesh,
-    /// A positive multiple of target minus source, for the even halfedge of each edge.
-    pub(crate) edges: Vec<Vector3>,
-    /// An outer normal of each facet (none in dimension 1).
-    pub(crate) normals: Vec<Vector3>,
+    pub(crate) vectors: LazyVectors,
 }
 
 /// How many vertices, edges and facets there are.
@@ -79,7 +77,7 @@ impl Polytope {
     /// A single point.
     pub fn point(point: Point3) -> Self {
         let mesh = Mesh::from_edges(0, 0, &[]);
-        Self { dimension: 0, points: vec![point], mesh, edges: Vec::new(), normals: Vec::new() }
+        Self { dimension: 0, points: vec![point], mesh, vectors: LazyVectors::given(Vec::new(), Vec::new()) }
     }
 
     /// The segment between two points; a single point if they are equal.
@@ -89,7 +87,12 @@ impl Polytope {
         }
         let edges = vec![source.direction_to(&target)];
         let mesh = Mesh::from_edges(2, 1, &[Edge { source: 0, target: 1, left: 0, right: 0 }]);
-        Self { dimension: 1, points: vec![source, target], mesh, edges, normals: Vec::new() }
+        Self {
+            dimension: 1,
+            points: vec![source, target],
+            mesh,
+            vectors: LazyVectors::given(edges, Vec::new()),
+        }
     }
 
     /// A polygon from its vertices in order, in strictly convex position in one plane.
@@ -100,7 +103,7 @@ impl Polytope {
         let edges = edge_vectors(&points, &mesh);
         let front = edges[0].cross(&edges[1]);
         let normals = vec![front.clone(), -front];
-        Self { dimension: 2, points, mesh, edges, normals }
+        Self { dimension: 2, points, mesh, vectors: LazyVectors::given(edges, normals) }
     }
 
     /// From facets that bound a convex solid: strictly convex cycles, counterclockwise seen from
@@ -115,7 +118,7 @@ impl Polytope {
     pub(crate) fn from_convex_mesh(points: Vec<Point3>, mesh: Mesh) -> Self {
         let edges = edge_vectors(&points, &mesh);
         let normals = mesh.facets().map(|f| corner_normal(&mesh, &edges, mesh.boundary(f))).collect();
-        Self { dimension: 3, points, mesh, edges, normals }
+        Self { dimension: 3, points, mesh, vectors: LazyVectors::given(edges, normals) }
     }
 
     /// The dimension of the affine hull: 0 to 3.
@@ -154,7 +157,7 @@ impl Polytope {
     /// # Panics
     /// If the dimension is below 2 or there is no such facet.
     pub fn facet_normal(&self, facet: FacetId) -> &Vector3 {
-        &self.normals[facet.index()]
+        &self.vectors().normals[facet.index()]
     }
 
     /// The plane of a facet, its normal outwards and primitive.
@@ -168,8 +171,12 @@ impl Polytope {
 
     /// A positive multiple of target minus source of a halfedge, as an integer vector.
     pub fn edge_vector(&self, h: HalfedgeId) -> Vector3 {
-        let vector = self.edges[h.edge()].clone();
-        if h.index().is_multiple_of(2) { vector } else { -vector }
+        self.vectors().of_halfedge(h)
+    }
+
+    /// All edge vectors and normals.
+    pub(crate) fn vectors(&self) -> &Vectors {
+        self.vectors.get()
     }
 
     /// The polytope as a mesh: facets in order; one polygon in dimension 2, one cycle of two vertices

@@ -2,6 +2,7 @@
 
 use crate::Polytope;
 use crate::polytope::side;
+use crate::vectors::Vectors;
 use dcel::{FacetId, HalfedgeId, VertexId};
 use exact::{Sign, predicate};
 use std::fmt;
@@ -74,7 +75,7 @@ impl Polytope {
             let [source, target] =
                 [self.mesh.source(h), self.mesh.target(h)].map(|v| &self.points[v.index()]);
             let along = source.direction_to(target);
-            let vector = &self.edges[h.edge()];
+            let vector = &self.vectors().edges[h.edge()];
             if vector.is_zero()
                 || !vector.cross(&along).is_zero()
                 || predicate::same_direction(vector, &along) != Sign::Positive
@@ -100,17 +101,18 @@ impl Polytope {
             _ => v == self.points.len() && v >= 4 && f >= 4,
         };
         let normals = if self.dimension < 2 { 0 } else { f };
-        cells && self.edges.len() == e && self.normals.len() == normals
+        cells && self.vectors().edges.len() == e && self.vectors().normals.len() == normals
     }
 
     fn check_facets(&self, found: &mut Vec<Violation>) {
+        let Vectors { edges, normals } = self.vectors();
         for f in self.mesh.facets() {
-            let normal = &self.normals[f.index()];
+            let normal = &normals[f.index()];
             for h in self.mesh.facet_cycle(f) {
-                if side(&self.edges, normal, h) != Sign::Zero {
+                if side(edges, normal, h) != Sign::Zero {
                     found.push(Violation::NonPlanar(f, h));
                 }
-                let corner = crate::polytope::corner_normal(&self.mesh, &self.edges, h);
+                let corner = crate::polytope::corner_normal(&self.mesh, edges, h);
                 if corner.is_zero() || predicate::same_direction(&corner, normal) != Sign::Positive {
                     found.push(Violation::Corner(f, h));
                 }
@@ -118,8 +120,8 @@ impl Polytope {
         }
         if self.dimension == 3 {
             for h in self.mesh.edges() {
-                let normal = &self.normals[self.mesh.facet(h).index()];
-                if side(&self.edges, normal, self.mesh.next(h.twin())) != Sign::Negative {
+                let normal = &normals[self.mesh.facet(h).index()];
+                if side(edges, normal, self.mesh.next(h.twin())) != Sign::Negative {
                     found.push(Violation::Edge(h));
                 }
             }
@@ -132,7 +134,7 @@ impl Polytope {
             self.facet_cycle(f).for_each(|v| on_facet[v.index()] = f);
             let on = &self.points[self.mesh.source(self.mesh.boundary(f)).index()];
             for v in self.mesh.vertices() {
-                let side = predicate::plane_side(&self.normals[f.index()], on, &self.points[v.index()]);
+                let side = predicate::plane_side(&normals[f.index()], on, &self.points[v.index()]);
                 let expected =
                     if on_facet[v.index()] == f || self.dimension == 2 { Sign::Zero } else { Sign::Negative };
                 if side != expected {

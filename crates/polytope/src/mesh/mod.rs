@@ -15,6 +15,7 @@ pub use summary::{MeshSummary, hull_depth};
 
 use crate::measure::signed_volume;
 use crate::polytope::nonzero_axis;
+use crate::vectors::LazyVectors;
 use crate::{PolygonMesh, Polytope, convex_hull};
 use dcel::{Defect, FacetId, HalfedgeId, Mesh};
 use exact::{Rational, Sign, Vector3};
@@ -145,7 +146,12 @@ impl Check<'_> {
             surface.winds_once().map_err(|f| self.not_on_hull(f))?;
             let Surface { edges, normals, .. } = surface;
             let Self { mesh, compact, .. } = self;
-            return Ok(Polytope { dimension: 3, points: compact.points, mesh, edges, normals });
+            return Ok(Polytope {
+                dimension: 3,
+                points: compact.points,
+                mesh,
+                vectors: LazyVectors::given(edges, normals),
+            });
         }
         drop(surface);
         self.compare_with_hull()
@@ -204,14 +210,13 @@ impl Check<'_> {
             }
             2 => {
                 // The facets that face the front must cover the polygon once.
-                let axis = nonzero_axis(&hull.normals[0]);
+                let axis = nonzero_axis(&hull.vectors().normals[0]);
                 let area = |points: &[exact::Point3], cycles: &mut dyn Iterator<Item = Vec<u32>>| {
                     cycles.fold(Rational::from(0), |sum, cycle| sum + twice_area(points, &cycle, axis))
                 };
-                let front = self
-                    .mesh
-                    .facets()
-                    .filter(|f| surface.normals[f.index()].sign(axis) == hull.normals[0].sign(axis));
+                let front = self.mesh.facets().filter(|f| {
+                    surface.normals[f.index()].sign(axis) == hull.vectors().normals[0].sign(axis)
+                });
                 let covered = area(
                     &self.compact.points,
                     &mut front.map(|f| self.compact.facets.get(f.index()).to_vec()),
@@ -253,7 +258,7 @@ fn first_off_hull(surface: &Surface<'_>, hull: &Polytope) -> Option<FacetId> {
         let primitive = normal.primitive();
         [0, 1, 2].map(|axis| primitive.coordinate(axis))
     };
-    let by_normal: HashMap<_, _> = hull.mesh.facets().map(|f| (key(&hull.normals[f.index()]), f)).collect();
+    let by_normal: HashMap<_, _> = hull.mesh.facets().map(|f| (key(hull.facet_normal(f)), f)).collect();
     surface.mesh.facets().find(|f| {
         let normal = &surface.normals[f.index()];
         if normal.is_zero() {
@@ -262,7 +267,7 @@ fn first_off_hull(surface: &Surface<'_>, hull: &Polytope) -> Option<FacetId> {
         let corner = &surface.points[surface.mesh.source(surface.mesh.boundary(*f)).index()];
         by_normal.get(&key(normal)).is_none_or(|&g| {
             let on = &hull.points[hull.mesh.source(hull.mesh.boundary(g)).index()];
-            exact::predicate::plane_side(&hull.normals[g.index()], on, corner) != Sign::Zero
+            exact::predicate::plane_side(hull.facet_normal(g), on, corner) != Sign::Zero
         })
     })
 }

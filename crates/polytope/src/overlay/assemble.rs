@@ -7,11 +7,13 @@
 
 use super::Cells;
 use super::map::GaussianMap;
-use super::trace::{Crossing, Node, Place, Trace};
+use super::trace::{Node, Place, Trace};
 use crate::Polytope;
 use crate::fault::{Fault, injected};
+use crate::vectors::{EdgeOrigin, FacetOrigin, LazyVectors, Origins, Vectors};
 use dcel::{Edge, HalfedgeId, Mesh};
-use exact::{Point3, Vector3};
+use exact::{Point3, share_weight};
+use std::sync::Arc;
 
 /// Joins the walk of red through blue with that of blue through red.
 pub(super) fn assemble(
@@ -28,31 +30,31 @@ pub(super) fn assemble(
         }
     }
     let red_facets = red.mesh.facet_count();
-    let facets = red_facets + blue_facet.len() - in_blue.counts.common_normals + in_blue.crossings.len();
-    let mut normals: Vec<Vector3> = Vec::with_capacity(facets);
-    normals.extend_from_slice(&red.normals);
+    let count = red_facets + blue_facet.len() - in_blue.counts.common_normals + in_blue.crossings.len();
+    let mut facets: Vec<FacetOrigin> = Vec::with_capacity(count);
+    facets.extend((0..red_facets as u32).map(FacetOrigin::First));
     for (m, facet) in blue_facet.iter_mut().enumerate() {
         if *facet == u32::MAX {
-            *facet = normals.len() as u32;
-            normals.push(blue.normals[m].clone());
+            *facet = facets.len() as u32;
+            facets.push(FacetOrigin::Second(m as u32));
         }
     }
-    let first_crossing = normals.len() as u32;
-    for crossing in &in_blue.crossings {
-        normals.push(crossing_normal(red, blue, crossing));
-    }
-    debug_assert_eq!(normals.len(), facets);
+    // Red runs from the left to the right of blue: of the two places where the great circles meet, the
+    // crossing is the one in the direction of the cross product.
+    let first_crossing = facets.len() as u32;
+    facets.extend(in_blue.crossings.iter().map(|c| FacetOrigin::Edges([c.red, c.blue])));
+    debug_assert_eq!(facets.len(), count);
     if injected(Fault::FlippedNormal)
-        && let Some(normal) = normals.last_mut()
+        && let Some(FacetOrigin::Edges([_, b])) = facets.last_mut()
     {
-        *normal = -&*normal;
+        *b = b.twin();
     }
     let same_crossing = match_crossings(red.mesh.edge_count(), blue.mesh.edge_count(), in_blue, in_red);
 
     // The pairs of vertices on the left and on the right of each piece, and the facets at its ends.
     let pieces = in_blue.pieces.len() + in_red.pieces.len();
     let mut pairs: Vec<[u32; 2]> = Vec::with_capacity(2 * pieces);
-    let mut cells = Cells { edges: Vec::with_capacity(pieces), vectors: Vec::with_capacity(pieces), normals };
+    let mut cells = Cells { edges: Vec::with_capacity(pieces), origins: Vec::with_capacity(pieces), facets };
     for piece in &in_blue.pieces {
         let facet = |node| match node {
             Node::Red(f) => f,
@@ -61,7 +63,7 @@ pub(super) fn assemble(
         };
         let (target, source) = (red.mesh.target(piece.arc).0, red.mesh.source(piece.arc).0);
         pairs.extend([[target, piece.blue[0].0], [source, piece.blue[1].0]]);
-        cells.push(facet(piece.from), facet(piece.to), red, piece.arc);
+        cells.push(facet(piece.from), facet(piece.to), 0, piece.arc);
     }
     for piece in &in_red.pieces {
         if piece.blue[0] != piece.blue[1] {
@@ -75,34 +77,25 @@ pub(super) fn assemble(
         let (target, source) = (blue.mesh.target(piece.arc).0, blue.mesh.source(piece.arc).0);
         let v = piece.blue[0].0;
         pairs.extend([[v, target], [v, source]]);
-        cells.push(facet(piece.from), facet(piece.to), blue, piece.arc);
+        cells.push(facet(piece.from), facet(piece.to), 1, piece.arc);
     }
 
     if injected(Fault::DroppedEdge) {
         cells.edges.pop();
-        cells.vectors.pop();
+        cells.origins.pop();
         pairs.truncate(2 * cells.edges.len());
     }
     let points = number_pairs(red, blue, &pairs, &mut cells.edges);
-    finish(points, cells)
+    finish(points, cells, [red.vectors.clone(), blue.vectors.clone()])
 }
 
 impl Cells {
     /// Adds the edge between two facets; its ends are numbered later.
     #[inline]
-    fn push(&mut self, left: u32, right: u32, map: &GaussianMap<'_>, arc: HalfedgeId) {
+    fn push(&mut self, left: u32, right: u32, summand: u8, halfedge: HalfedgeId) {
         self.edges.push(Edge { source: 0, target: 0, left, right });
-        let vector = map.edges[arc.edge()].clone();
-        self.vectors.push(if arc.0 & 1 == 0 { vector } else { -vector });
+        self.origins.push(EdgeOrigin { summand, halfedge });
     }
-}
-
-/// The normal of the facet at a crossing. Red runs from the left to the right of blue there, so that
-/// the crossing is the positive one of the two where the great circles meet.
-fn crossing_normal(red: &GaussianMap<'_>, blue: &GaussianMap<'_>, crossing: &Crossing) -> Vector3 {
-    let Crossing { red: r, blue: b } = *crossing;
-    let cross = red.edges[r.edge()].cross(&blue.edges[b.edge()]);
-    if (r.0 ^ b.0) & 1 == 0 { cross } else { -cross }
 }
 
 /// For each crossing of the second walk its index in the first: two arcs cross at most once.
@@ -164,6 +157,10 @@ fn number_pairs(
         by_red[*slot as usize] = [i as u32, *w];
         *slot += 1;
     }
+    // Over one weight, if it stays narrow, a sum of points is a sum of integers.
+    let mut summands = [red.points, blue.points].concat();
+    share_weight(&mut summands);
+    let (red_points, blue_points) = summands.split_at(red.points.len());
     let mut points: Vec<Point3> = Vec::with_capacity(pairs.len() / 4);
     let mut number = vec![(u32::MAX, 0); blue.mesh.vertex_count()];
     for v in 0..vertices {
@@ -172,7 +169,7 @@ fn number_pairs(
             if slot.0 != v as u32 {
                 *slot = (v as u32, points.len() as u32);
                 let w = if injected(Fault::WrongVertex) && v == 0 { 0 } else { w };
-                points.push(red.points[v].plus(&blue.points[w as usize]));
+                points.push(red_points[v].plus(&blue_points[w as usize]));
             }
             let edge = &mut edges[i as usize / 2];
             *(if i % 2 == 0 { &mut edge.target } else { &mut edge.source }) = slot.1;
@@ -182,8 +179,8 @@ fn number_pairs(
 }
 
 /// Takes out the digons and makes the polytope.
-fn finish(points: Vec<Point3>, mut cells: Cells) -> Polytope {
-    let mut facets = cells.normals.len();
+fn finish(points: Vec<Point3>, mut cells: Cells, summands: [Arc<Vectors>; 2]) -> Polytope {
+    let mut facets = cells.facets.len();
     debug_assert_eq!(points.len() + facets, cells.edges.len() + 2, "the overlay subdivides a sphere");
     let mut degree = vec![0u32; facets];
     for edge in &cells.edges {
@@ -195,7 +192,8 @@ fn finish(points: Vec<Point3>, mut cells: Cells) -> Polytope {
     }
     let mesh = Mesh::from_edges(points.len(), facets, &cells.edges);
     let dimension = if facets == 2 { 2 } else { 3 };
-    Polytope { dimension, points, mesh, edges: cells.vectors, normals: cells.normals }
+    let origins = Origins { summands, edges: cells.origins, facets: cells.facets };
+    Polytope { dimension, points, mesh, vectors: LazyVectors::inherited(origins) }
 }
 
 /// Replaces every chain of edges separated by digons by one edge, drops the digons, and returns the
@@ -220,13 +218,16 @@ fn merge_digons(cells: &mut Cells, degree: &[u32]) -> usize {
     }
     let mut seen = vec![false; cells.edges.len()];
     let mut edges = Vec::with_capacity(cells.edges.len());
-    let mut vectors = Vec::with_capacity(cells.edges.len());
+    let mut origins = Vec::with_capacity(cells.edges.len());
     for (e, edge) in cells.edges.iter().enumerate() {
         // A chain starts at a facet that stays; it is seen so that it lies on the left.
         let reversed = Edge { source: edge.target, target: edge.source, left: edge.right, right: edge.left };
-        let (first, vector) = match (digon(edge.left), digon(edge.right)) {
-            (false, _) => (*edge, cells.vectors[e].clone()),
-            (true, false) => (reversed, -cells.vectors[e].clone()),
+        let (first, origin) = match (digon(edge.left), digon(edge.right)) {
+            (false, _) => (*edge, cells.origins[e]),
+            (true, false) => {
+                let EdgeOrigin { summand, halfedge } = cells.origins[e];
+                (reversed, EdgeOrigin { summand, halfedge: halfedge.twin() })
+            }
             (true, true) => continue,
         };
         if std::mem::replace(&mut seen[e], true) {
@@ -241,14 +242,14 @@ fn merge_digons(cells: &mut Cells, degree: &[u32]) -> usize {
             right = if next.left == right { next.right } else { next.left };
         }
         edges.push(Edge { left: number[first.left as usize], right: number[right as usize], ..first });
-        vectors.push(vector);
+        origins.push(origin);
     }
     let mut f = 0;
-    cells.normals.retain(|_| {
+    cells.facets.retain(|_| {
         f += 1;
         !digon(f as u32 - 1)
     });
     cells.edges = edges;
-    cells.vectors = vectors;
+    cells.origins = origins;
     kept as usize
 }

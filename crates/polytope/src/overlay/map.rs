@@ -17,16 +17,17 @@
 
 use crate::Polytope;
 use crate::polytope::side;
+use crate::vectors::Vectors;
 use dcel::{Edge, FacetId, HalfedgeId, Mesh, VertexId};
 use exact::{Integer, Point3, Sign, Vector3, predicate};
 use std::borrow::Cow;
+use std::sync::Arc;
 
 /// A Gaussian map whose arcs are all shorter than a half circle.
 pub(super) struct GaussianMap<'p> {
     pub(super) points: &'p [Point3],
     pub(super) mesh: Cow<'p, Mesh>,
-    pub(super) edges: Cow<'p, [Vector3]>,
-    pub(super) normals: Cow<'p, [Vector3]>,
+    pub(super) vectors: Arc<Vectors>,
     /// The halfedges into each vertex, counterclockwise around its face of the map.
     ring: Vec<HalfedgeId>,
     ring_starts: Vec<u32>,
@@ -37,10 +38,8 @@ pub(super) struct GaussianMap<'p> {
 impl<'p> GaussianMap<'p> {
     /// The map of a polytope of dimension 1 to 3.
     pub(super) fn new(polytope: &'p Polytope) -> Self {
-        let (mesh, edges, normals) = match polytope.dimension {
-            3 => {
-                (Cow::Borrowed(&polytope.mesh), (&polytope.edges[..]).into(), (&polytope.normals[..]).into())
-            }
+        let (mesh, vectors) = match polytope.dimension {
+            3 => (Cow::Borrowed(&polytope.mesh), polytope.vectors.get().clone()),
             2 => of_polygon(polytope),
             1 => of_segment(polytope),
             _ => unreachable!("a point is added by a translation, without its map"),
@@ -51,8 +50,7 @@ impl<'p> GaussianMap<'p> {
             ring_starts: Vec::with_capacity(mesh.vertex_count() + 1),
             ring_position: vec![0; mesh.halfedge_count()],
             mesh,
-            edges,
-            normals,
+            vectors,
         };
         map.ring_starts.push(0);
         for v in map.mesh.vertices() {
@@ -87,13 +85,13 @@ impl<'p> GaussianMap<'p> {
 
     #[inline]
     pub(super) fn normal(&self, f: FacetId) -> &Vector3 {
-        &self.normals[f.index()]
+        &self.vectors.normals[f.index()]
     }
 
     /// The side of the great circle of `arc` on which `normal` lies: positive on its left.
     #[inline]
     pub(super) fn side(&self, normal: &Vector3, arc: HalfedgeId) -> Sign {
-        side(&self.edges, normal, arc)
+        side(&self.vectors.edges, normal, arc)
     }
 
     /// Where the arc of `h` ends.
@@ -105,7 +103,7 @@ impl<'p> GaussianMap<'p> {
     /// For two directions `a` and `b` on the great circle of `arc`: positive if `b` comes after `a`
     /// by less than a half circle, zero if they are the same or opposite.
     pub(super) fn order_on(&self, arc: HalfedgeId, a: &Vector3, b: &Vector3) -> Sign {
-        let sign = predicate::circle_order(&self.edges[arc.edge()], a, b);
+        let sign = predicate::circle_order(&self.vectors.edges[arc.edge()], a, b);
         if arc.0 & 1 == 0 { sign } else { -sign }
     }
 }
@@ -113,11 +111,11 @@ impl<'p> GaussianMap<'p> {
 /// The axes of two arcs of two maps: positive if they turn the same way about parallel axes.
 #[inline]
 pub(super) fn same_turn(red: &GaussianMap<'_>, r: HalfedgeId, blue: &GaussianMap<'_>, b: HalfedgeId) -> Sign {
-    let sign = predicate::same_direction(&red.edges[r.edge()], &blue.edges[b.edge()]);
+    let sign = predicate::same_direction(&red.vectors.edges[r.edge()], &blue.vectors.edges[b.edge()]);
     if (r.0 ^ b.0) & 1 == 0 { sign } else { -sign }
 }
 
-type Parts<'p> = (Cow<'p, Mesh>, Cow<'p, [Vector3]>, Cow<'p, [Vector3]>);
+type Parts<'p> = (Cow<'p, Mesh>, Arc<Vectors>);
 
 /// Front and back normals joined by half circles, each cut in the middle, at the normal of the edge
 /// within the plane of the polygon.
@@ -125,24 +123,25 @@ fn of_polygon(polytope: &Polytope) -> Parts<'_> {
     let n = polytope.points.len() as u32;
     let mut edges = Vec::with_capacity(2 * n as usize);
     let mut vectors = Vec::with_capacity(2 * n as usize);
-    let mut normals = polytope.normals.clone();
+    let given = polytope.vectors();
+    let mut normals = given.normals.clone();
     for i in 0..n {
         let h = HalfedgeId(2 * i);
         let (source, target) = (polytope.mesh.source(h).0, polytope.mesh.target(h).0);
         let digon = 2 + i;
         edges.push(Edge { source, target, left: 0, right: digon });
         edges.push(Edge { source, target, left: digon, right: 1 });
-        let vector = &polytope.edges[i as usize];
+        let vector = &given.edges[i as usize];
         vectors.extend([vector.clone(), vector.clone()]);
-        normals.push(vector.cross(&polytope.normals[0]).primitive());
+        normals.push(vector.cross(&given.normals[0]).primitive());
     }
     let mesh = Mesh::from_edges(n as usize, 2 + n as usize, &edges);
-    (Cow::Owned(mesh), vectors.into(), normals.into())
+    (Cow::Owned(mesh), Arc::new(Vectors { edges: vectors, normals }))
 }
 
 /// One great circle, cut at four normals a quarter turn apart.
 fn of_segment(polytope: &Polytope) -> Parts<'_> {
-    let vector = &polytope.edges[0];
+    let vector = &polytope.vectors().edges[0];
     let axes: [Vector3; 3] = std::array::from_fn(|axis| {
         Vector3::new(std::array::from_fn(|i| Integer::from(i64::from(i == axis))))
     });
@@ -152,5 +151,6 @@ fn of_segment(polytope: &Polytope) -> Parts<'_> {
     let normals = vec![a.clone(), b.clone(), -a, -b];
     let edges: Vec<Edge> =
         (0..4).map(|i| Edge { source: 0, target: 1, left: i, right: (i + 1) % 4 }).collect();
-    (Cow::Owned(Mesh::from_edges(2, 4, &edges)), vec![vector.clone(); 4].into(), normals.into())
+    let vectors = Vectors { edges: vec![vector.clone(); 4], normals };
+    (Cow::Owned(Mesh::from_edges(2, 4, &edges)), Arc::new(vectors))
 }

@@ -17,8 +17,8 @@ mod map;
 mod trace;
 
 use crate::Polytope;
+use crate::vectors::{EdgeOrigin, FacetOrigin};
 use dcel::Edge;
-use exact::Vector3;
 
 /// How the arcs of two Gaussian maps meet: what degeneracies a sum has met.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -53,6 +53,6 @@ pub(crate) fn sum(p: &Polytope, q: &Polytope) -> (Polytope, OverlayCounts) {
 /// The parts of the sum before its vertices have coordinates.
 struct Cells {
     edges: Vec<Edge>,
-    vectors: Vec<Vector3>,
-    normals: Vec<Vector3>,
+    origins: Vec<EdgeOrigin>,
+    facets: Vec<FacetOrigin>,
 }

@@ -1,0 +1,97 @@
+//! The edge vectors and the facet normals of a polytope.
+//!
+//! Those of a sum are those of its summands, or cross products of them where two edges make a facet:
+//! as wide as in the summands, however wide the coordinates of the sum are. The sum keeps where they
+//! come from, and makes them when somebody asks.
+
+use dcel::HalfedgeId;
+use exact::Vector3;
+use std::sync::{Arc, OnceLock};
+
+/// The vectors of a polytope.
+#[derive(Debug)]
+pub(crate) struct Vectors {
+    /// A positive multiple of target minus source, for the even halfedge of each edge.
+    pub(crate) edges: Vec<Vector3>,
+    /// An outer normal of each facet (none in dimension 1).
+    pub(crate) normals: Vec<Vector3>,
+}
+
+impl Vectors {
+    /// The vector of a halfedge of either parity.
+    pub(crate) fn of_halfedge(&self, h: HalfedgeId) -> Vector3 {
+        let vector = &self.edges[h.edge()];
+        if h.0 & 1 == 0 { vector.clone() } else { -vector }
+    }
+}
+
+/// Where an edge of a sum comes from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct EdgeOrigin {
+    /// 0 or 1.
+    pub(crate) summand: u8,
+    /// A halfedge of that summand with the direction of the even halfedge of the edge.
+    pub(crate) halfedge: HalfedgeId,
+}
+
+/// Where a facet of a sum comes from.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum FacetOrigin {
+    /// A facet of the first summand (of the second too, perhaps).
+    First(u32),
+    /// A facet of the second summand.
+    Second(u32),
+    /// An edge of each: the outer normal is the cross product of these halfedges.
+    Edges([HalfedgeId; 2]),
+}
+
+/// Where the vectors of a sum come from.
+#[derive(Debug)]
+pub(crate) struct Origins {
+    pub(crate) summands: [Arc<Vectors>; 2],
+    pub(crate) edges: Vec<EdgeOrigin>,
+    pub(crate) facets: Vec<FacetOrigin>,
+}
+
+impl Origins {
+    fn make(&self) -> Vectors {
+        let [first, second] = &self.summands;
+        let edge = |o: &EdgeOrigin| self.summands[usize::from(o.summand)].of_halfedge(o.halfedge);
+        let normal = |o: &FacetOrigin| match *o {
+            FacetOrigin::First(f) => first.normals[f as usize].clone(),
+            FacetOrigin::Second(f) => second.normals[f as usize].clone(),
+            FacetOrigin::Edges([r, b]) => {
+                let cross = first.edges[r.edge()].cross(&second.edges[b.edge()]);
+                if (r.0 ^ b.0) & 1 == 0 { cross } else { -cross }
+            }
+        };
+        Vectors {
+            edges: self.edges.iter().map(edge).collect(),
+            normals: self.facets.iter().map(normal).collect(),
+        }
+    }
+}
+
+/// Vectors that are there, or where they come from.
+#[derive(Clone, Debug)]
+pub(crate) struct LazyVectors {
+    made: OnceLock<Arc<Vectors>>,
+    origins: Option<Arc<Origins>>,
+}
+
+impl LazyVectors {
+    pub(crate) fn given(edges: Vec<Vector3>, normals: Vec<Vector3>) -> Self {
+        Self { made: OnceLock::from(Arc::new(Vectors { edges, normals })), origins: None }
+    }
+
+    pub(crate) fn inherited(origins: Origins) -> Self {
+        Self { made: OnceLock::new(), origins: Some(Arc::new(origins)) }
+    }
+
+    pub(crate) fn get(&self) -> &Arc<Vectors> {
+        self.made.get_or_init(|| {
+            let origins = self.origins.as_ref().expect("vectors that were not given are inherited");
+            Arc::new(origins.make())
+        })
+    }
+}
