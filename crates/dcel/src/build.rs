@@ -84,8 +84,8 @@ impl Mesh {
     /// Makes a mesh from facets given as vertex cycles: facet `i` is
     /// `corners[starts[i]..starts[i + 1]]`, counterclockwise seen from outside.
     ///
-    /// The halfedges are numbered by the lower, then the higher end of their edges, the one from the
-    /// lower end first: the same list of facets gives the same mesh.
+    /// Edges are numbered by their lower ends, the halfedge from the lower end first: the same list of
+    /// facets gives the same mesh.
     ///
     /// # Errors
     /// The first [`Defect`] found, where the facets do not form a closed, orientable surface on which
@@ -95,59 +95,11 @@ impl Mesh {
     /// If a corner is not below `vertices`, or `starts` is not increasing up to the number of corners.
     ///
     /// # Complexity
-    /// Linear: two counting sorts pair the halfedges.
+    /// Linear: a counting sort, and a table that finds the twins.
     pub fn from_cycles(vertices: usize, starts: &[u32], corners: &[u32]) -> Result<Self, Defect> {
         let facets = starts.len().saturating_sub(1);
-        // A corner c stands for the directed edge from it to the next corner of its cycle.
+        let halfedge_of = Pairing::new(vertices, starts, corners)?.halfedges;
         let n = corners.len();
-        let mut facet_of = vec![0u32; n];
-        let mut target_of = vec![0u32; n];
-        for f in 0..facets {
-            let (begin, end) = (starts[f] as usize, starts[f + 1] as usize);
-            if end - begin < 3 {
-                return Err(Defect::DegenerateCycle { facet: f as u32 });
-            }
-            for c in begin..end {
-                let target = corners[if c + 1 == end { begin } else { c + 1 }];
-                if target == corners[c] {
-                    return Err(Defect::DegenerateCycle { facet: f as u32 });
-                }
-                facet_of[c] = f as u32;
-                target_of[c] = target;
-            }
-        }
-        // Sort the corners by the higher and then, stably, by the lower end of their edges.
-        let by_high =
-            counting_sort(vertices, 0..n as u32, |c| corners[c as usize].max(target_of[c as usize]));
-        let sorted =
-            counting_sort(vertices, by_high.into_iter(), |c| corners[c as usize].min(target_of[c as usize]));
-        let ends = |c: u32| {
-            let (a, b) = (corners[c as usize], target_of[c as usize]);
-            (a.min(b), a.max(b))
-        };
-        // Neighbours in that order are twins.
-        let mut halfedge_of = vec![HalfedgeId(0); n];
-        let mut i = 0;
-        while i < n {
-            let c = sorted[i];
-            let same = sorted[i..].iter().take_while(|&&d| ends(d) == ends(c)).count();
-            let edge = [corners[c as usize], target_of[c as usize]];
-            match same {
-                2 => {
-                    let d = sorted[i + 1];
-                    if corners[c as usize] == corners[d as usize] {
-                        let facets = [facet_of[c as usize], facet_of[d as usize]];
-                        return Err(Defect::Orientation { edge, facets });
-                    }
-                    let (low, high) = if edge[0] < edge[1] { (c, d) } else { (d, c) };
-                    halfedge_of[low as usize] = HalfedgeId::new(i);
-                    halfedge_of[high as usize] = HalfedgeId::new(i + 1);
-                }
-                1 => return Err(Defect::Border { edge, facet: facet_of[c as usize] }),
-                _ => return Err(Defect::NonManifoldEdge { edge, facets: same as u32 }),
-            }
-            i += 2;
-        }
         let mut mesh = Self {
             source: vec![VertexId(0); n],
             facet: vec![FacetId(0); n],
@@ -211,65 +163,142 @@ impl Mesh {
     pub fn from_edges(vertices: usize, facets: usize, edges: &[Edge]) -> Self {
         let n = 2 * edges.len();
         let mut mesh = Self {
-            source: Vec::with_capacity(n),
-            facet: Vec::with_capacity(n),
+            source: edges.iter().flat_map(|e| [VertexId(e.source), VertexId(e.target)]).collect(),
+            facet: edges.iter().flat_map(|e| [FacetId(e.left), FacetId(e.right)]).collect(),
             next: vec![HalfedgeId(u32::MAX); n],
             prev: vec![HalfedgeId(u32::MAX); n],
             outgoing: vec![HalfedgeId(u32::MAX); vertices],
-            boundary: vec![HalfedgeId(u32::MAX); facets],
+            boundary: Vec::with_capacity(facets),
         };
-        for edge in edges {
-            mesh.source.extend([VertexId(edge.source), VertexId(edge.target)]);
-            mesh.facet.extend([FacetId(edge.left), FacetId(edge.right)]);
-        }
-        let by_facet = counting_sort(facets, 0..n as u32, |h| mesh.facet[h as usize].0);
+        let (starts, by_facet) = counting_sort(facets, &mesh.facet, |f| f.0);
         // leaving[v]: the halfedge of the facet at hand that starts at v.
         let mut leaving = vec![HalfedgeId(u32::MAX); vertices];
-        let mut i = 0;
-        while i < n {
-            let f = mesh.facet[by_facet[i] as usize];
-            let mut end = i;
-            while end < n && mesh.facet[by_facet[end] as usize] == f {
-                let h = HalfedgeId(by_facet[end]);
+        for ends in starts.windows(2) {
+            let cycle = &by_facet[ends[0] as usize..ends[1] as usize];
+            for &h in cycle {
+                let h = HalfedgeId(h);
                 leaving[mesh.source(h).index()] = h;
-                end += 1;
             }
-            for &h in &by_facet[i..end] {
+            for &h in cycle {
                 let h = HalfedgeId(h);
                 let next = leaving[mesh.target(h).index()];
-                debug_assert!(mesh.facet(next) == f && mesh.source(next) == mesh.target(h));
+                debug_assert!(mesh.facet(next) == mesh.facet(h) && mesh.source(next) == mesh.target(h));
                 mesh.next[h.index()] = next;
                 mesh.prev[next.index()] = h;
-                let source = mesh.source(h);
-                mesh.outgoing[source.index()] = h;
             }
-            mesh.boundary[f.index()] = HalfedgeId(by_facet[i]);
-            i = end;
+            mesh.boundary.push(HalfedgeId(cycle[0]));
+        }
+        for (h, v) in mesh.source.iter().enumerate() {
+            mesh.outgoing[v.index()] = HalfedgeId(h as u32);
         }
         mesh
     }
 }
 
-/// The items in the order of their keys; equal keys keep their order.
-fn counting_sort(
-    keys: usize,
-    items: impl Iterator<Item = u32> + Clone,
-    key: impl Fn(u32) -> u32,
-) -> Vec<u32> {
-    let mut starts = vec![0u32; keys + 1];
-    let mut n = 0;
-    for item in items.clone() {
-        starts[key(item) as usize + 1] += 1;
-        n += 1;
+/// The corners of all facets, each standing for the directed edge to the next corner of its cycle, put
+/// together in pairs of twins.
+struct Pairing {
+    /// The halfedge of each corner.
+    halfedges: Vec<HalfedgeId>,
+}
+
+impl Pairing {
+    fn new(vertices: usize, starts: &[u32], corners: &[u32]) -> Result<Self, Defect> {
+        let n = corners.len();
+        let mut targets = Vec::with_capacity(n);
+        for (f, ends) in starts.windows(2).enumerate() {
+            let cycle = &corners[ends[0] as usize..ends[1] as usize];
+            let degenerate = Defect::DegenerateCycle { facet: f as u32 };
+            let [first, .., last] = cycle else { return Err(degenerate) };
+            if cycle.len() < 3 || first == last || cycle.windows(2).any(|pair| pair[0] == pair[1]) {
+                return Err(degenerate);
+            }
+            targets.extend_from_slice(&cycle[1..]);
+            targets.push(*first);
+        }
+        // The corners by the lower end of their edges; within such a group a table by the higher end
+        // finds the twin.
+        let low: Vec<u32> = corners.iter().zip(&targets).map(|(a, b)| *a.min(b)).collect();
+        let (groups, sorted) = counting_sort(vertices, &low, |v| *v);
+        let mut halfedges = vec![HalfedgeId(0); n];
+        let mut waiting = vec![NOBODY; vertices];
+        let mut edges = 0;
+        for (v, ends) in groups.windows(2).enumerate() {
+            let group = &sorted[ends[0] as usize..ends[1] as usize];
+            for &c in group {
+                let (source, target) = (corners[c as usize], targets[c as usize]);
+                let slot = &mut waiting[source.max(target) as usize];
+                if slot.low != v as u32 {
+                    *slot = Waiting { low: v as u32, corner: c };
+                    continue;
+                }
+                let other = std::mem::replace(&mut slot.corner, u32::MAX);
+                if other == u32::MAX || corners[other as usize] == source {
+                    return Err(defect(group, corners, &targets, starts));
+                }
+                // The halfedge from the lower end is the even one.
+                let (even, odd) = if source == v as u32 { (c, other) } else { (other, c) };
+                halfedges[even as usize] = HalfedgeId(edges);
+                halfedges[odd as usize] = HalfedgeId(edges + 1);
+                edges += 2;
+            }
+            if edges != ends[1] {
+                return Err(defect(group, corners, &targets, starts));
+            }
+        }
+        Ok(Self { halfedges })
     }
-    for k in 0..keys {
-        starts[k + 1] += starts[k];
+}
+
+#[derive(Clone, Copy)]
+struct Waiting {
+    /// The lower end for which the entry was made.
+    low: u32,
+    /// The corner that waits for its twin, `u32::MAX` if the two have met.
+    corner: u32,
+}
+
+const NOBODY: Waiting = Waiting { low: u32::MAX, corner: u32::MAX };
+
+/// What is wrong with the edges at their lower end, of which one at least does not have two opposite
+/// halfedges.
+fn defect(group: &[u32], corners: &[u32], targets: &[u32], starts: &[u32]) -> Defect {
+    let facet = |c: u32| starts.partition_point(|&start| start <= c) as u32 - 1;
+    let ends = |c: u32| [corners[c as usize], targets[c as usize]];
+    let mut by_edge = std::collections::BTreeMap::<u32, Vec<u32>>::new();
+    for &c in group {
+        by_edge.entry(ends(c)[0].max(ends(c)[1])).or_default().push(c);
     }
-    let mut sorted = vec![0; n];
+    let found = by_edge.values().find_map(|sides| match sides[..] {
+        [c] => Some(Defect::Border { edge: ends(c), facet: facet(c) }),
+        [c, d] if ends(c) == ends(d) => {
+            Some(Defect::Orientation { edge: ends(c), facets: [facet(c), facet(d)] })
+        }
+        [_, _] => None,
+        _ => Some(Defect::NonManifoldEdge { edge: ends(sides[0]), facets: sides.len() as u32 }),
+    });
+    found.expect("an edge without two opposite halfedges is one of these")
+}
+
+/// The indices of the items in the order of their keys, those of equal keys in order, and where each
+/// key starts.
+fn counting_sort<T>(keys: usize, items: &[T], key: impl Fn(&T) -> u32) -> (Vec<u32>, Vec<u32>) {
+    // Counted two places up, so that filling moves each start to where it belongs.
+    let mut starts = vec![0u32; keys + 2];
     for item in items {
-        let slot = &mut starts[key(item) as usize];
-        sorted[*slot as usize] = item;
+        starts[key(item) as usize + 2] += 1;
+    }
+    let mut sum = 0;
+    for start in &mut starts {
+        sum += *start;
+        *start = sum;
+    }
+    let mut sorted = vec![0; items.len()];
+    for (i, item) in items.iter().enumerate() {
+        let slot = &mut starts[key(item) as usize + 1];
+        sorted[*slot as usize] = i as u32;
         *slot += 1;
     }
-    sorted
+    starts.pop();
+    (starts, sorted)
 }

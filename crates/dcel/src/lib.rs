@@ -22,5 +22,5 @@ mod validity;
 
 pub use build::{Defect, Edge};
 pub use ids::{FacetId, HalfedgeId, VertexId};
-pub use mesh::{Cycle, Mesh};
+pub use mesh::Mesh;
 pub use validity::Violation;

@@ -109,14 +109,15 @@ impl Mesh {
     }
 
     /// The halfedges of `f` in order.
-    pub fn facet_cycle(&self, f: FacetId) -> Cycle<'_> {
-        Cycle { mesh: self, at: Some(self.boundary(f)), first: self.boundary(f), step: |m, h| m.next(h) }
+    #[inline]
+    pub fn facet_cycle(&self, f: FacetId) -> impl Iterator<Item = HalfedgeId> + '_ {
+        cycle(self.boundary(f), |h| self.next(h))
     }
 
     /// The halfedges that start at `v`, clockwise seen from outside.
-    pub fn vertex_cycle(&self, v: VertexId) -> Cycle<'_> {
-        let first = self.outgoing(v);
-        Cycle { mesh: self, at: Some(first), first, step: |m, h| m.next(h.twin()) }
+    #[inline]
+    pub fn vertex_cycle(&self, v: VertexId) -> impl Iterator<Item = HalfedgeId> + '_ {
+        cycle(self.outgoing(v), |h| self.next(h.twin()))
     }
 
     /// Numbers the connected components: a label for each facet, and how many there are.
@@ -153,23 +154,14 @@ impl Mesh {
     }
 }
 
-/// The halfedges around a facet or a vertex.
-#[derive(Clone, Debug)]
-pub struct Cycle<'m> {
-    mesh: &'m Mesh,
-    at: Option<HalfedgeId>,
-    first: HalfedgeId,
-    step: fn(&Mesh, HalfedgeId) -> HalfedgeId,
-}
-
-impl Iterator for Cycle<'_> {
-    type Item = HalfedgeId;
-
-    #[inline]
-    fn next(&mut self) -> Option<HalfedgeId> {
-        let h = self.at?;
-        let next = (self.step)(self.mesh, h);
-        self.at = (next != self.first).then_some(next);
+/// `first` and what follows it, until it comes again.
+#[inline]
+fn cycle(first: HalfedgeId, step: impl Fn(HalfedgeId) -> HalfedgeId) -> impl Iterator<Item = HalfedgeId> {
+    let mut at = Some(first);
+    std::iter::from_fn(move || {
+        let h = at?;
+        let next = step(h);
+        at = (next != first).then_some(next);
         Some(h)
-    }
+    })
 }

@@ -7,7 +7,7 @@
 
 use super::Cells;
 use super::map::GaussianMap;
-use super::trace::{Node, Place, Trace};
+use super::trace::{Kind, Node, Place, Trace};
 use crate::Polytope;
 use crate::fault::{Fault, injected};
 use crate::vectors::{EdgeOrigin, FacetOrigin, LazyVectors, Origins, Vectors};
@@ -17,10 +17,9 @@ use std::sync::Arc;
 
 /// Joins the walk of red through blue with that of blue through red.
 pub(super) fn assemble(
-    red: &GaussianMap<'_>,
-    blue: &GaussianMap<'_>,
-    in_blue: &Trace,
-    in_red: &Trace,
+    [red, blue]: [&GaussianMap<'_>; 2],
+    [in_blue, in_red]: [&Trace; 2],
+    summands: [Arc<Vectors>; 2],
 ) -> Polytope {
     // Facets: the red ones, the blue ones that are not red too, the crossings.
     let mut blue_facet = vec![u32::MAX; blue.mesh.facet_count()];
@@ -56,10 +55,10 @@ pub(super) fn assemble(
     let mut pairs: Vec<[u32; 2]> = Vec::with_capacity(2 * pieces);
     let mut cells = Cells { edges: Vec::with_capacity(pieces), origins: Vec::with_capacity(pieces), facets };
     for piece in &in_blue.pieces {
-        let facet = |node| match node {
-            Node::Red(f) => f,
-            Node::Blue(m) => blue_facet[m as usize],
-            Node::Crossing(c) => first_crossing + c,
+        let facet = |node: Node| match node.kind() {
+            Kind::Red(f) => f,
+            Kind::Blue(m) => blue_facet[m as usize],
+            Kind::Crossing(c) => first_crossing + c,
         };
         let (target, source) = (red.mesh.target(piece.arc).0, red.mesh.source(piece.arc).0);
         pairs.extend([[target, piece.blue[0].0], [source, piece.blue[1].0]]);
@@ -69,10 +68,10 @@ pub(super) fn assemble(
         if piece.blue[0] != piece.blue[1] {
             continue; // along a red arc: the other walk has it
         }
-        let facet = |node| match node {
-            Node::Red(m) => blue_facet[m as usize],
-            Node::Blue(f) => f,
-            Node::Crossing(c) => first_crossing + same_crossing[c as usize],
+        let facet = |node: Node| match node.kind() {
+            Kind::Red(m) => blue_facet[m as usize],
+            Kind::Blue(f) => f,
+            Kind::Crossing(c) => first_crossing + same_crossing[c as usize],
         };
         let (target, source) = (blue.mesh.target(piece.arc).0, blue.mesh.source(piece.arc).0);
         let v = piece.blue[0].0;
@@ -86,7 +85,7 @@ pub(super) fn assemble(
         pairs.truncate(2 * cells.edges.len());
     }
     let points = number_pairs(red, blue, &pairs, &mut cells.edges);
-    finish(points, cells, [red.vectors.clone(), blue.vectors.clone()])
+    finish(points, cells, summands)
 }
 
 impl Cells {

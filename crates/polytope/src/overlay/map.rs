@@ -23,11 +23,32 @@ use exact::{Integer, Point3, Sign, Vector3, predicate};
 use std::borrow::Cow;
 use std::sync::Arc;
 
-/// A Gaussian map whose arcs are all shorter than a half circle.
-pub(super) struct GaussianMap<'p> {
-    pub(super) points: &'p [Point3],
-    pub(super) mesh: Cow<'p, Mesh>,
+/// What a Gaussian map is read off: the boundary of a polytope, with digons if its dimension is lower.
+pub(super) struct Boundary<'p> {
+    points: &'p [Point3],
+    mesh: Cow<'p, Mesh>,
     pub(super) vectors: Arc<Vectors>,
+}
+
+impl<'p> Boundary<'p> {
+    /// That of a polytope of dimension 1 to 3.
+    pub(super) fn of(polytope: &'p Polytope) -> Self {
+        let (mesh, vectors) = match polytope.dimension {
+            3 => (Cow::Borrowed(&polytope.mesh), polytope.vectors.get().clone()),
+            2 => of_polygon(polytope),
+            1 => of_segment(polytope),
+            _ => unreachable!("a point is added by a translation, without its map"),
+        };
+        Self { points: &polytope.points, mesh, vectors }
+    }
+}
+
+/// A Gaussian map whose arcs are all shorter than a half circle.
+pub(super) struct GaussianMap<'b> {
+    pub(super) points: &'b [Point3],
+    pub(super) mesh: &'b Mesh,
+    pub(super) edges: &'b [Vector3],
+    pub(super) normals: &'b [Vector3],
     /// The halfedges into each vertex, counterclockwise around its face of the map.
     ring: Vec<HalfedgeId>,
     ring_starts: Vec<u32>,
@@ -35,22 +56,21 @@ pub(super) struct GaussianMap<'p> {
     ring_position: Vec<u32>,
 }
 
-impl<'p> GaussianMap<'p> {
-    /// The map of a polytope of dimension 1 to 3.
-    pub(super) fn new(polytope: &'p Polytope) -> Self {
-        let (mesh, vectors) = match polytope.dimension {
-            3 => (Cow::Borrowed(&polytope.mesh), polytope.vectors.get().clone()),
-            2 => of_polygon(polytope),
-            1 => of_segment(polytope),
-            _ => unreachable!("a point is added by a translation, without its map"),
-        };
+impl<'b> GaussianMap<'b> {
+    /// Arranges the arcs around the faces.
+    ///
+    /// # Complexity
+    /// Linear.
+    pub(super) fn new(boundary: &'b Boundary<'_>) -> Self {
+        let mesh = &*boundary.mesh;
         let mut map = Self {
-            points: &polytope.points,
+            points: boundary.points,
+            mesh,
+            edges: &boundary.vectors.edges,
+            normals: &boundary.vectors.normals,
             ring: Vec::with_capacity(mesh.halfedge_count()),
             ring_starts: Vec::with_capacity(mesh.vertex_count() + 1),
             ring_position: vec![0; mesh.halfedge_count()],
-            mesh,
-            vectors,
         };
         map.ring_starts.push(0);
         for v in map.mesh.vertices() {
@@ -85,13 +105,13 @@ impl<'p> GaussianMap<'p> {
 
     #[inline]
     pub(super) fn normal(&self, f: FacetId) -> &Vector3 {
-        &self.vectors.normals[f.index()]
+        &self.normals[f.index()]
     }
 
     /// The side of the great circle of `arc` on which `normal` lies: positive on its left.
     #[inline]
     pub(super) fn side(&self, normal: &Vector3, arc: HalfedgeId) -> Sign {
-        side(&self.vectors.edges, normal, arc)
+        side(&self.edges, normal, arc)
     }
 
     /// Where the arc of `h` ends.
@@ -103,7 +123,7 @@ impl<'p> GaussianMap<'p> {
     /// For two directions `a` and `b` on the great circle of `arc`: positive if `b` comes after `a`
     /// by less than a half circle, zero if they are the same or opposite.
     pub(super) fn order_on(&self, arc: HalfedgeId, a: &Vector3, b: &Vector3) -> Sign {
-        let sign = predicate::circle_order(&self.vectors.edges[arc.edge()], a, b);
+        let sign = predicate::circle_order(&self.edges[arc.edge()], a, b);
         if arc.0 & 1 == 0 { sign } else { -sign }
     }
 }
@@ -111,7 +131,7 @@ impl<'p> GaussianMap<'p> {
 /// The axes of two arcs of two maps: positive if they turn the same way about parallel axes.
 #[inline]
 pub(super) fn same_turn(red: &GaussianMap<'_>, r: HalfedgeId, blue: &GaussianMap<'_>, b: HalfedgeId) -> Sign {
-    let sign = predicate::same_direction(&red.vectors.edges[r.edge()], &blue.vectors.edges[b.edge()]);
+    let sign = predicate::same_direction(&red.edges[r.edge()], &blue.edges[b.edge()]);
     if (r.0 ^ b.0) & 1 == 0 { sign } else { -sign }
 }
 

@@ -37,7 +37,8 @@ pub struct OverlayCounts {
 
 /// The sum of two polytopes of dimension 1 to 3, not two parallel segments; and how their maps meet.
 pub(crate) fn sum(p: &Polytope, q: &Polytope) -> (Polytope, OverlayCounts) {
-    let (red, blue) = (map::GaussianMap::new(p), map::GaussianMap::new(q));
+    let (p, q) = (map::Boundary::of(p), map::Boundary::of(q));
+    let (red, blue) = (map::GaussianMap::new(&p), map::GaussianMap::new(&q));
     let in_blue = trace::trace(&red, &blue);
     let in_red = trace::trace(&blue, &red);
     let counts = OverlayCounts {
@@ -47,7 +48,8 @@ pub(crate) fn sum(p: &Polytope, q: &Polytope) -> (Polytope, OverlayCounts) {
         overlaps: in_blue.counts.overlaps,
         arcs_through_normals: in_blue.counts.arcs_through_normals + in_red.counts.arcs_through_normals,
     };
-    (assemble::assemble(&red, &blue, &in_blue, &in_red), counts)
+    let summands = [p.vectors.clone(), q.vectors.clone()];
+    (assemble::assemble([&red, &blue], [&in_blue, &in_red], summands), counts)
 }
 
 /// The parts of the sum before its vertices have coordinates.

@@ -23,15 +23,44 @@ use crate::fault::{Fault, injected};
 use dcel::{FacetId, HalfedgeId, VertexId};
 use exact::{Sign, Vector3};
 
-/// A vertex of the overlay, as one trace sees it.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Node {
+/// A vertex of the overlay, as one trace sees it: a [`Kind`] in four bytes.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Node(u32);
+
+/// What a vertex of the overlay is.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Kind {
     /// A vertex of the red map.
     Red(u32),
     /// A vertex of the blue map in the interior of a red arc.
     Blue(u32),
     /// The crossing with this index in [`Trace::crossings`].
     Crossing(u32),
+}
+
+impl Node {
+    const LIMIT: u32 = 1 << 30;
+
+    #[inline]
+    fn new(kind: Kind) -> Self {
+        let (tag, index) = match kind {
+            Kind::Red(f) => (0, f),
+            Kind::Blue(f) => (1, f),
+            Kind::Crossing(c) => (2, c),
+        };
+        assert!(index < Self::LIMIT, "a sum has fewer than 2^30 facets of a kind");
+        Self(tag << 30 | index)
+    }
+
+    #[inline]
+    pub(super) fn kind(self) -> Kind {
+        let index = self.0 & (Self::LIMIT - 1);
+        match self.0 >> 30 {
+            0 => Kind::Red(index),
+            1 => Kind::Blue(index),
+            _ => Kind::Crossing(index),
+        }
+    }
 }
 
 /// An edge of the overlay: a part of a red arc.
@@ -97,9 +126,9 @@ enum Heading {
     Along(HalfedgeId),
 }
 
-struct Walk<'a, 'p> {
-    red: &'a GaussianMap<'p>,
-    blue: &'a GaussianMap<'p>,
+struct Walk<'a> {
+    red: &'a GaussianMap<'a>,
+    blue: &'a GaussianMap<'a>,
     trace: Trace,
 }
 
@@ -109,7 +138,7 @@ struct Walk<'a, 'p> {
 /// Linear in both maps and the number of crossings, if the faces of the maps have a bounded number of
 /// arcs; in general each step costs the logarithm of the distance between entry and exit on the ring
 /// of the face.
-pub(super) fn trace<'p>(red: &GaussianMap<'p>, blue: &GaussianMap<'p>) -> Trace {
+pub(super) fn trace(red: &GaussianMap<'_>, blue: &GaussianMap<'_>) -> Trace {
     let mut walk = Walk { red, blue, trace: Trace::default() };
     walk.trace.places = vec![Place::Unknown; red.mesh.facet_count()];
     walk.trace.pieces.reserve(red.mesh.edge_count() * 2);
@@ -142,13 +171,13 @@ pub(super) fn trace<'p>(red: &GaussianMap<'p>, blue: &GaussianMap<'p>) -> Trace 
     walk.trace
 }
 
-impl Walk<'_, '_> {
+impl Walk<'_> {
     /// Follows the red arc `r` from its start to its end, and tells where the end lies.
     fn follow(&mut self, r: HalfedgeId, sector: &mut Option<HalfedgeId>) -> Place {
         let (red, blue) = (self.red, self.blue);
         let start = red.mesh.facet(r);
         let (end, target) = (red.end(r), red.normal(red.end(r)));
-        let mut from = Node::Red(start.0);
+        let mut from = Node::new(Kind::Red(start.0));
         let mut heading = match self.trace.places[start.index()] {
             Place::Face(w, chord) => {
                 let chord = chord.unwrap_or_else(|| self.first_chord(r, w));
@@ -172,16 +201,16 @@ impl Walk<'_, '_> {
                     let last = blue.end(b);
                     match self.before_end_of(b, target) {
                         Sign::Positive => {
-                            self.piece(r, from, Node::Red(end.0), faces);
+                            self.piece(r, from, Node::new(Kind::Red(end.0)), faces);
                             return Place::Arc(b);
                         }
                         Sign::Zero => {
-                            self.piece(r, from, Node::Red(end.0), faces);
+                            self.piece(r, from, Node::new(Kind::Red(end.0)), faces);
                             return Place::Vertex(last);
                         }
                         Sign::Negative => {
-                            self.piece(r, from, Node::Blue(last.0), faces);
-                            from = Node::Blue(last.0);
+                            self.piece(r, from, Node::new(Kind::Blue(last.0)), faces);
+                            from = Node::new(Kind::Blue(last.0));
                             self.trace.counts.arcs_through_normals += 1;
                             heading = self.leave_vertex(r, target, blue.mesh.next(b.twin())).0;
                         }
@@ -192,13 +221,12 @@ impl Walk<'_, '_> {
                         && known == w
                     {
                         // Both ends lie in one face, and faces are convex.
-                        self.piece(r, from, Node::Red(end.0), [w, w]);
+                        self.piece(r, from, Node::new(Kind::Red(end.0)), [w, w]);
                         return Place::Face(w, None);
                     }
                     let ring = blue.ring(w);
-                    let exit = self.exit(r, target, &heading);
+                    let (exit, through_corner) = self.exit(r, target, &heading);
                     let corner = ring[exit];
-                    let through_corner = self.corner_side(r, corner) == Sign::Zero;
                     // The arc before the exit corner: the red arc leaves through it or its end.
                     let b = ring[if exit == 0 { ring.len() - 1 } else { exit - 1 }];
                     match blue.side(target, b) {
@@ -206,11 +234,11 @@ impl Walk<'_, '_> {
                             || injected(Fault::ZeroAsPositive) && side == Sign::Zero =>
                         {
                             let entry = self.entry(r, target, &heading);
-                            self.piece(r, from, Node::Red(end.0), [w, w]);
+                            self.piece(r, from, Node::new(Kind::Red(end.0)), [w, w]);
                             return Place::Face(w, Some(Chord { arc: r, exit, entry }));
                         }
                         Sign::Zero => {
-                            self.piece(r, from, Node::Red(end.0), [w, w]);
+                            self.piece(r, from, Node::new(Kind::Red(end.0)), [w, w]);
                             return if through_corner {
                                 Place::Vertex(blue.mesh.facet(corner))
                             } else {
@@ -219,13 +247,13 @@ impl Walk<'_, '_> {
                         }
                         Sign::Negative if through_corner => {
                             let m = blue.mesh.facet(corner);
-                            self.piece(r, from, Node::Blue(m.0), [w, w]);
-                            from = Node::Blue(m.0);
+                            self.piece(r, from, Node::new(Kind::Blue(m.0)), [w, w]);
+                            from = Node::new(Kind::Blue(m.0));
                             self.trace.counts.arcs_through_normals += 1;
                             heading = self.leave_vertex(r, target, corner).0;
                         }
                         _ => {
-                            let crossing = Node::Crossing(self.trace.crossings.len() as u32);
+                            let crossing = Node::new(Kind::Crossing(self.trace.crossings.len() as u32));
                             self.trace.crossings.push(Crossing { red: r, blue: b });
                             self.piece(r, from, crossing, [w, w]);
                             from = crossing;
@@ -301,10 +329,18 @@ impl Walk<'_, '_> {
         blue.side(target, after)
     }
 
-    /// The ring index of the first corner that is no longer on the right of the red circle, ahead.
-    fn exit(&self, r: HalfedgeId, target: &Vector3, heading: &Heading) -> usize {
-        let not_right = |corner| self.corner_side(r, corner) != Sign::Negative;
-        match *heading {
+    /// The ring index of the first corner that is no longer on the right of the red circle, ahead; and
+    /// whether it is on the circle.
+    fn exit(&self, r: HalfedgeId, target: &Vector3, heading: &Heading) -> (usize, bool) {
+        // The search ends at the exit: a corner on the circle is the exit. It is not on the circle where
+        // the search runs out of corners without looking at the last one, the entry.
+        let mut on_circle = false;
+        let not_right = |corner| {
+            let side = self.corner_side(r, corner);
+            on_circle |= side == Sign::Zero;
+            side != Sign::Negative
+        };
+        let exit = match *heading {
             Heading::Into(w, first) => {
                 let ring = self.blue.ring(w);
                 first_where(ring, first, ring.len() - 1, not_right)
@@ -314,12 +350,16 @@ impl Walk<'_, '_> {
                 match self.turn(r, target, chord) {
                     Turn::Left => first_between(ring, chord.exit, chord.entry, not_right),
                     Turn::Right => first_between(ring, chord.entry, chord.exit, not_right),
-                    Turn::Straight => chord.exit,
-                    Turn::Back => chord.entry,
+                    straight => {
+                        let exit = if straight == Turn::Straight { chord.exit } else { chord.entry };
+                        on_circle = self.corner_side(r, ring[exit]) == Sign::Zero;
+                        exit
+                    }
                 }
             }
             Heading::Along(_) => unreachable!("an arc along another one is not inside a face"),
-        }
+        };
+        (exit, on_circle)
     }
 
     /// The ring index of the first corner that is no longer on the left of the red circle, behind.
@@ -373,6 +413,7 @@ impl Walk<'_, '_> {
     }
 }
 
+#[derive(Clone, Copy, PartialEq, Eq)]
 enum Turn {
     Left,
     Right,
@@ -387,15 +428,15 @@ fn first_where(
     ring: &[HalfedgeId],
     first: usize,
     limit: usize,
-    condition: impl Fn(HalfedgeId) -> bool,
+    mut condition: impl FnMut(HalfedgeId) -> bool,
 ) -> usize {
     let wrap = |i: usize| if i >= ring.len() { i - ring.len() } else { i };
     let first = wrap(first);
-    // Gallop: `low` is the number of steps known to be too few.
+    // Step, then gallop: `low` is the number of steps known to be too few.
     let (mut low, mut step) = (0, 0);
     while step < limit && !condition(ring[wrap(first + step)]) {
         low = step + 1;
-        step = 2 * step + 1;
+        step += if step < 4 { 1 } else { step };
     }
     let mut high = step.min(limit);
     while low < high {
@@ -415,7 +456,7 @@ fn first_between(
     ring: &[HalfedgeId],
     first: usize,
     last: usize,
-    condition: impl Fn(HalfedgeId) -> bool,
+    condition: impl FnMut(HalfedgeId) -> bool,
 ) -> usize {
     let steps = if last >= first { last - first } else { last + ring.len() - first };
     first_where(ring, first, steps, condition)
