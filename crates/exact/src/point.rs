@@ -393,3 +393,6 @@ fn common_weight(points: &[Point3]) -> Option<i64> {
         (multiple >> NARROW_BITS == 0).then_some(multiple as i64)
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -202,3 +202,6 @@ fn simplest_between(low: Rational, high: Rational) -> (Integer, Integer) {
         (low, high) = (inverse(high), inverse(low));
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -6,7 +6,7 @@
 //! | tier | all of `D1` to `D6` | decides | used for |
 //! |---|---|---|---|
 //! | [`Narrow`] | 128 bits | always | widths that allow it, known at run time |
-//! | [`Float`] | [`Filtered`] | when far enough from zero | bounded input |
+//! | [`Float`] | [`Filtered`] | when far enough from zero | all wider input |
 //! | [`Fixed`] | 64, 128, 192, 256, 320, 384 bits | always | bounded input |
 //! | [`Boxes`] | [`Interval`] | when zero is outside, or exact | open input |
 //! | [`Big`] | [`Integer`] | always | open input |
@@ -22,9 +22,9 @@ use crate::{Integer, Point3, Sign, Vector3};
 use std::ops::{Add, Mul, Neg, Sub};
 
 pub use crate::stage::Stage;
-#[cfg(feature = "count-tiers")]
+#[cfg(any(test, feature = "count-tiers"))]
 pub use crate::stage::{Counts, counts, thread_counts};
-#[cfg(feature = "force-tiers")]
+#[cfg(any(test, feature = "force-tiers"))]
 pub use crate::stage::{Guard, Start, force};
 
 /// A number as a tier sees it: it can be added, subtracted and negated, and may know its sign.
