@@ -95,8 +95,11 @@ fn decided<T>(_inputs: &[T], _call: impl FnMut(&T) -> Sign) -> String {
     String::new()
 }
 
+/// A predicate on some of the vectors of a case.
+type Call = fn(&Case) -> Sign;
+
 fn main() {
-    let predicates: [(&str, fn(&Case) -> Sign); 6] = [
+    let predicates: [(&str, Call); 6] = [
         ("side_of_circle", |x| side_of_circle(&x.normal, &x.c)),
         ("orientation", |x| orientation(&x.a, &x.b, &x.c)),
         ("same_direction", |x| same_direction(&x.a, &x.c)),

@@ -9,7 +9,6 @@ pub(crate) const WIDTHS: [u32; 16] = [5, 20, 31, 32, 33, 53, 61, 62, 63, 64, 100
 pub(crate) struct Random(u64);
 
 impl Random {
-    #[allow(clippy::print_stderr)]
     pub(crate) fn new(seed: u64) -> Self {
         eprintln!("seed {seed}");
         Self(seed)

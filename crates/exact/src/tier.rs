@@ -11,9 +11,9 @@
 //! | [`Boxes`] | [`Interval`] | when zero is outside, or exact | open input |
 //! | [`Big`] | [`Integer`] | always | open input |
 //!
-//! Bounds of the tier [`Fixed`]: the leaves of `D1` are below 2^62, those of `D2` below 2^126. Then a term of degree d is below
-//! 2^(64 d - 2) for even d and 2^(64 d - 4) for odd d > 1, and the sum of eight such terms, or of two leaves, fits the type
-//! (for products of sums count all terms that arise when everything is multiplied out; determinants of three vectors have 6).
+//! Bounds of the tier [`Fixed`]: the leaves of `D1` are below 2^62, those of `D2` below 2^126. Then a product of degree d is below
+//! 2^(64 d - 4), and the sum of eight of them, or of two leaves, fits the type (in a product of sums count all terms that
+//! arise when it is multiplied out; the determinant of three vectors has 6). Debug builds check every sum.
 
 use crate::filter::Filtered;
 use crate::fixed;
