@@ -204,3 +204,6 @@ impl Affine3 {
         self.linear.determinant_sign()
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -116,3 +116,6 @@ impl Ring for Filtered {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -219,3 +219,6 @@ impl<const N: usize> fmt::Debug for Fixed<N> {
         fmt::Display::fmt(self, f)
     }
 }
+
+#[cfg(test)]
+mod tests;

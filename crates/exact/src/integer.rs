@@ -279,3 +279,6 @@ impl FromStr for Integer {
         parse::integer(token)
     }
 }
+
+#[cfg(test)]
+mod tests;

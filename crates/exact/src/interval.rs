@@ -126,3 +126,6 @@ impl Ring for Interval {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

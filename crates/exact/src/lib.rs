@@ -12,6 +12,9 @@
 //! No decision is made with a tolerance, and nothing is rounded except by methods called `approx_*`. This crate knows no geometry
 //! beyond vectors, planes and determinants: no mesh, no file.
 
+// The tests compare floats bit by bit on purpose, and print their seeds.
+#![cfg_attr(test, allow(clippy::float_cmp, clippy::print_stderr))]
+
 mod affine;
 pub mod filter;
 pub mod fixed;

@@ -154,3 +154,6 @@ fn decimal(token: &str) -> Result<Rational, ParseNumberError> {
         Rational::new(digits, power(-exponent)).expect("a power of ten is not zero")
     })
 }
+
+#[cfg(test)]
+mod tests;

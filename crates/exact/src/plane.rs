@@ -68,3 +68,6 @@ impl fmt::Display for Plane {
         write!(f, "{} . p = {}", self.normal, self.offset)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -51,6 +51,11 @@ enum Key {
 const NARROW_BITS: u32 = 61;
 
 #[inline(always)]
+fn bits(values: &[i64; 4]) -> u32 {
+    64 - values.iter().fold(0, |all, value| all | value.unsigned_abs()).leading_zeros()
+}
+
+#[inline(always)]
 fn fits(values: &[i128; 4]) -> bool {
     values.iter().fold(0, |all, value| all | value.unsigned_abs()) >> NARROW_BITS == 0
 }
@@ -67,7 +72,7 @@ impl Point3 {
     /// Makes a point with integer coordinates.
     #[inline]
     pub fn from_i64([x, y, z]: [i64; 3]) -> Self {
-        Self::of_i128([x, y, z, 1].map(i128::from))
+        Self::of_machine([x, y, z, 1])
     }
 
     /// Makes a point with rational coordinates. The weight is the least common multiple of their denominators.
@@ -86,11 +91,10 @@ impl Point3 {
     /// The weight must be positive.
     pub(crate) fn of_homogeneous(homogeneous: [Integer; 4]) -> Self {
         let machine = homogeneous.each_ref().map(Integer::to_i64);
-        if let [Some(x), Some(y), Some(z), Some(w)] = machine {
-            let machine = [x, y, z, w];
-            if fits(&machine.map(i128::from)) {
-                return Self(Repr::Narrow(machine));
-            }
+        if let [Some(x), Some(y), Some(z), Some(w)] = machine
+            && bits(&[x, y, z, w]) <= NARROW_BITS
+        {
+            return Self(Repr::Narrow([x, y, z, w]));
         }
         let approx = homogeneous.each_ref().map(Integer::approx_f64);
         Self(Repr::Wide(Box::new(Wide { homogeneous, approx })))
@@ -99,6 +103,16 @@ impl Point3 {
     #[inline(always)]
     pub(crate) fn fits_narrow(homogeneous: &[i128; 4]) -> bool {
         fits(homogeneous)
+    }
+
+    /// The weight must be positive.
+    #[inline]
+    fn of_machine(homogeneous: [i64; 4]) -> Self {
+        if bits(&homogeneous) <= NARROW_BITS {
+            Self(Repr::Narrow(homogeneous))
+        } else {
+            Self::of_homogeneous(homogeneous.map(Integer::from))
+        }
     }
 
     /// The weight must be positive.
@@ -174,9 +188,7 @@ impl Point3 {
     /// Gives the number of bits of the greatest magnitude among numerators and weight.
     pub fn bits(&self) -> u32 {
         match &self.0 {
-            Repr::Narrow(homogeneous) => {
-                64 - homogeneous.iter().fold(0, |all, value| all | value.unsigned_abs()).leading_zeros()
-            }
+            Repr::Narrow(homogeneous) => bits(homogeneous),
             Repr::Wide(wide) => wide.homogeneous.iter().map(Integer::bit_len).max().unwrap_or(0),
         }
     }
@@ -211,8 +223,7 @@ impl Point3 {
     pub fn plus(&self, other: &Self) -> Self {
         if let (Some(a), Some(b)) = (self.as_narrow(), other.as_narrow()) {
             if a[3] == b[3] {
-                let [x, y, z] = [a[0] + b[0], a[1] + b[1], a[2] + b[2]];
-                return Self::of_i128([x, y, z, a[3]].map(i128::from));
+                return Self::of_machine([a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3]]);
             }
             let divisor = gcd_u64(a[3] as u64, b[3] as u64) as i64;
             let (v, w) = (i128::from(b[3] / divisor), i128::from(a[3] / divisor));
@@ -405,3 +416,6 @@ fn common_weight(points: &[Point3]) -> Option<i64> {
         (multiple >> NARROW_BITS == 0).then_some(multiple as i64)
     })
 }
+
+#[cfg(test)]
+mod tests;

@@ -66,8 +66,11 @@ impl Quaternion {
     ///    2 arctan(|a| p/q), is within 5e-13 of the asked one. The axis is not changed any more.
     ///
     /// So an angle whose quaternion is that simple is exact: all multiples of 90 degrees about the coordinate axes, of 120 about
-    /// (1,1,1), of 180 about any axis that is not rounded. Angles below 5e-13 become no rotation. About a coordinate axis p and q
-    /// have at most 22 bits, and the matrix of the rotation at most 44.
+    /// (1,1,1), of 180 about any axis that is not rounded. Angles below 5e-13 become no rotation.
+    ///
+    /// About a coordinate axis p and q have about 22 bits, so that 20-bit coordinates stay narrow; only right beside a simple
+    /// fraction (90.000001 degrees) they need more, up to 42. An axis of length l adds log2(l)/2 bits, so write short ones: (1,2,3),
+    /// not its decimals.
     ///
     /// # Errors
     /// [`ZeroAxis`] if the axis is zero.
@@ -202,3 +205,6 @@ fn simplest_between(low: Rational, high: Rational) -> (Integer, Integer) {
         (low, high) = (inverse(high), inverse(low));
     }
 }
+
+#[cfg(test)]
+mod tests;

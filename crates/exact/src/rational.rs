@@ -225,3 +225,6 @@ impl FromStr for Rational {
         parse::rational(token)
     }
 }
+
+#[cfg(test)]
+mod tests;

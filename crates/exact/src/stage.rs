@@ -1,4 +1,5 @@
-//! Which tier decided: counters (feature `count-tiers`), and where to begin (feature `force-tiers`).
+//! Which tier decided: counters (feature `count-tiers`), and where to begin (feature `force-tiers`). The unit tests of this
+//! crate have both.
 
 /// A step of the cascades at which a predicate can be decided.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -20,16 +21,16 @@ impl Stage {
     pub const ALL: [Self; 5] = [Self::Narrow, Self::Float, Self::Fixed, Self::Interval, Self::Big];
 }
 
-#[cfg(not(feature = "count-tiers"))]
+#[cfg(not(any(test, feature = "count-tiers")))]
 #[inline(always)]
 pub(crate) fn count(_stage: Stage) {}
 
-#[cfg(feature = "count-tiers")]
+#[cfg(any(test, feature = "count-tiers"))]
 pub(crate) use counting::count;
-#[cfg(feature = "count-tiers")]
+#[cfg(any(test, feature = "count-tiers"))]
 pub use counting::{Counts, counts, thread_counts};
 
-#[cfg(feature = "count-tiers")]
+#[cfg(any(test, feature = "count-tiers"))]
 mod counting {
     use super::Stage;
     use std::cell::Cell;
@@ -112,12 +113,12 @@ mod counting {
     }
 }
 
-#[cfg(feature = "force-tiers")]
+#[cfg(any(test, feature = "force-tiers"))]
 pub(crate) use forcing::start;
-#[cfg(feature = "force-tiers")]
+#[cfg(any(test, feature = "force-tiers"))]
 pub use forcing::{Guard, Start, force};
 
-#[cfg(feature = "force-tiers")]
+#[cfg(any(test, feature = "force-tiers"))]
 mod forcing {
     use std::sync::atomic::{AtomicU8, Ordering};
     use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -180,3 +181,6 @@ mod forcing {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -1,6 +1,6 @@
 //! Generated vectors for the tests of this crate.
 
-use crate::{Integer, Vector3};
+use crate::{Integer, Rational, Sign, Vector3};
 
 /// The widths in bits that every differential test runs through; 1100 bits overflow `f64`.
 pub(crate) const WIDTHS: [u32; 16] = [5, 20, 31, 32, 33, 53, 61, 62, 63, 64, 100, 126, 127, 128, 256, 1100];
@@ -9,7 +9,6 @@ pub(crate) const WIDTHS: [u32; 16] = [5, 20, 31, 32, 33, 53, 61, 62, 63, 64, 100
 pub(crate) struct Random(u64);
 
 impl Random {
-    #[allow(clippy::print_stderr)]
     pub(crate) fn new(seed: u64) -> Self {
         eprintln!("seed {seed}");
         Self(seed)
@@ -84,4 +83,25 @@ pub(crate) fn triple(random: &mut Random, bits: u32, kind: Kind) -> [Vector3; 3]
     let mut all = [a, b, c];
     all.rotate_left(random.below(3) as usize);
     all
+}
+
+/// Checks that a finite float is the one nearest to a value, ties to even; infinity only beyond the last tie.
+pub(crate) fn assert_nearest(value: &Rational, float: f64) {
+    let exact = |float: f64| Rational::try_from(float).expect("a finite float");
+    if float.is_infinite() {
+        let tie = Rational::from((Integer::ONE << 1024) - (Integer::ONE << 970));
+        assert!(
+            value.abs() >= tie && (value.sign() == Sign::Positive) == (float > 0.0),
+            "{value} is not {float}"
+        );
+        return;
+    }
+    let error = (value - &exact(float)).abs();
+    for neighbour in [float.next_down(), float.next_up()] {
+        if neighbour.is_finite() {
+            let other = (value - &exact(neighbour)).abs();
+            let is_even = float.to_bits() & 1 == 0;
+            assert!(error < other || (error == other && is_even), "{value}: {float:e} or {neighbour:e}");
+        }
+    }
 }

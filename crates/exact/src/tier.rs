@@ -6,14 +6,14 @@
 //! | tier | all of `D1` to `D6` | decides | used for |
 //! |---|---|---|---|
 //! | [`Narrow`] | 128 bits | always | widths that allow it, known at run time |
-//! | [`Float`] | [`Filtered`] | when far enough from zero | bounded input |
+//! | [`Float`] | [`Filtered`] | when far enough from zero | all wider input |
 //! | [`Fixed`] | 64, 128, 192, 256, 320, 384 bits | always | bounded input |
 //! | [`Boxes`] | [`Interval`] | when zero is outside, or exact | open input |
 //! | [`Big`] | [`Integer`] | always | open input |
 //!
-//! Bounds of the tier [`Fixed`]: the leaves of `D1` are below 2^62, those of `D2` below 2^126. Then a term of degree d is below
-//! 2^(64 d - 2) for even d and 2^(64 d - 4) for odd d > 1, and the sum of eight such terms, or of two leaves, fits the type
-//! (for products of sums count all terms that arise when everything is multiplied out; determinants of three vectors have 6).
+//! Bounds of the tier [`Fixed`]: the leaves of `D1` are below 2^62, those of `D2` below 2^126. Then a product of degree d is below
+//! 2^(64 d - 4), and the sum of eight of them, or of two leaves, fits the type (in a product of sums count all terms that
+//! arise when it is multiplied out; the determinant of three vectors has 6). Debug builds check every sum.
 
 use crate::filter::Filtered;
 use crate::fixed;
@@ -22,9 +22,9 @@ use crate::{Integer, Point3, Sign, Vector3};
 use std::ops::{Add, Mul, Neg, Sub};
 
 pub use crate::stage::Stage;
-#[cfg(feature = "count-tiers")]
+#[cfg(any(test, feature = "count-tiers"))]
 pub use crate::stage::{Counts, counts, thread_counts};
-#[cfg(feature = "force-tiers")]
+#[cfg(any(test, feature = "force-tiers"))]
 pub use crate::stage::{Guard, Start, force};
 
 /// A number as a tier sees it: it can be added, subtracted and negated, and may know its sign.

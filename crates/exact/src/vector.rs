@@ -244,7 +244,14 @@ impl Vector3 {
     /// Exact if it is not wide (always so for narrow vectors). A wide product is made primitive: a positive multiple of it.
     #[inline]
     pub fn cross(&self, other: &Self) -> Self {
-        if let (Some(a), Some(b)) = (self.as_narrow(), other.as_narrow()) {
+        if let (Repr::Narrow { bits: m, coordinates: a }, Repr::Narrow { bits: n, coordinates: b }) =
+            (&self.repr, &other.repr)
+        {
+            if m + n < 62 {
+                // |c| < 2 * 2^61: one machine word.
+                let ([ax, ay, az], [bx, by, bz]) = (a, b);
+                return Self::from_i64([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]);
+            }
             let [ax, ay, az] = a.map(i128::from);
             let [bx, by, bz] = b.map(i128::from);
             // |c| <= 2 (2^62 - 1)^2 < 2^125.
@@ -364,3 +371,6 @@ impl fmt::Debug for Vector3 {
         fmt::Display::fmt(self, f)
     }
 }
+
+#[cfg(test)]
+mod tests;
