@@ -29,7 +29,10 @@ pub(crate) fn mesh_error(error: &MeshError, operand: &Operand) -> (Option<u32>, 
         ),
         MeshError::SeveralShells { shells, facets } => (
             lines.facet(facets[1]),
-            format!("not convex: the surface has {shells} shells, those of the {}, say", lines.facets(*facets)),
+            format!(
+                "not convex: the surface has {shells} shells, those of the {}, say",
+                lines.facets(*facets)
+            ),
         ),
         MeshError::NotOnHull { facet } => (
             lines.facet(*facet),
@@ -132,7 +135,13 @@ mod tests {
 
     #[test]
     fn approximations_are_short() {
-        let rows = [(0.0, "0"), (1.0 / 3.0, "0.333333"), (2.5, "2.5"), (1e300, "1e300"), (1.0e-17 / 3.0, "3.33333e-18")];
+        let rows = [
+            (0.0, "0"),
+            (1.0 / 3.0, "0.333333"),
+            (2.5, "2.5"),
+            (1e300, "1e300"),
+            (1.0e-17 / 3.0, "3.33333e-18"),
+        ];
         for (value, shown) in rows {
             assert_eq!(approx(value), shown);
         }

@@ -53,8 +53,8 @@ usage: splitstar sum A B [C ...] -o OUT [OPTIONS]
   -o, --output OUT  where to write the sum; `-` is standard output
   --method METHOD   overlay: walk over both Gaussian maps (default)
                     hull: convex hull of all sums of vertices, slower, the check of the other
-  --hull            take the convex hull of a file that is not convex, and tell how far a vertex of it
-                    lies inside at most
+  --hull            take the convex hull of a file that is not convex, and tell how far a vertex
+                    of the mesh lies inside it at most
   --float           write floats, rounded to nearest, and tell the largest rounding
   --json            one JSON object on standard output: counts, volume, bounds, method, times
   -q, --quiet       no notes, no summary, no progress bar

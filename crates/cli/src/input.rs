@@ -28,8 +28,7 @@ impl Operand {
             Place::File(path) => std::fs::read(path),
         }
         .map_err(|error| Failure::file(&name, None, cannot_read(&error)))?;
-        let read = read_off(&bytes)
-            .map_err(|error| Failure::file(&name, error.line(), error.sentence()))?;
+        let read = read_off(&bytes).map_err(|error| Failure::file(&name, error.line(), error.sentence()))?;
         console.step_done();
         Ok(Self { name, read })
     }

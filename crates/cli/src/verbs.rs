@@ -85,7 +85,10 @@ impl<'a> Job<'a> {
             method: result.method,
             width_bits: width_bits(&mesh.points),
             rounding: self.run.float.then(|| written.largest_rounding.to_string()),
-            quaternion: result.quaternion.as_ref().map(|q| q.components().each_ref().map(ToString::to_string)),
+            quaternion: result
+                .quaternion
+                .as_ref()
+                .map(|q| q.components().each_ref().map(ToString::to_string)),
             seconds: self.seconds,
         };
         output::report(&report.made(made).json())
@@ -97,17 +100,26 @@ impl<'a> Job<'a> {
             Shape::Polytope(polytope) => {
                 let counts = polytope.counts();
                 format!(
-                    "dimension {}, {} vertices, {} edges, {} facets",
+                    "dimension {}, {}, {}, {}",
                     polytope.dimension(),
-                    counts.vertices,
-                    counts.edges,
-                    counts.facets
+                    counted(counts.vertices, ["vertex", "vertices"]),
+                    counted(counts.edges, ["edge", "edges"]),
+                    counted(counts.facets, ["facet", "facets"])
                 )
             }
-            Shape::Mesh(_) => format!("{} vertices, {} facets", mesh.points.len(), mesh.facets.len()),
+            Shape::Mesh(_) => format!(
+                "{}, {}",
+                counted(mesh.points.len(), ["vertex", "vertices"]),
+                counted(mesh.facets.len(), ["facet", "facets"])
+            ),
         };
         let file = crate::failure::one_line(file);
-        format!("{} ({}): {what}: {file}, {:.3} s", self.run.verb.name(), result.method, read + compute + write)
+        format!(
+            "{} ({}): {what}: {file}, {:.3} s",
+            self.run.verb.name(),
+            result.method,
+            read + compute + write
+        )
     }
 }
 
@@ -121,6 +133,10 @@ struct Outcome {
 enum Shape {
     Polytope(Polytope),
     Mesh(PolygonMesh),
+}
+
+fn counted(count: usize, [one, many]: [&str; 2]) -> String {
+    format!("{count} {}", if count == 1 { one } else { many })
 }
 
 /// The points that the facets of a mesh use; all of them if there is no facet.

@@ -39,7 +39,10 @@ fn summand(operand: &Operand, take_hull: bool, console: &Console) -> Result<Poly
             let points = used_points(&operand.read.mesh);
             let hull = convex_hull(&points).expect("a mesh that was read has a vertex");
             let depth = approx_root(&hull_depth(&points, &hull));
-            let what = format!("the convex hull is taken; vertices of the mesh lie up to {depth} inside it");
+            let what = match hull.dimension() {
+                3 => format!("the convex hull is taken; vertices of the mesh lie at most {depth} inside it"),
+                dimension => format!("the convex hull is taken, which has dimension {dimension}"),
+            };
             console.note(&operand.name, None, &what);
             Ok(hull)
         }
