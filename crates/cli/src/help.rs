@@ -33,9 +33,10 @@ options of all verbs:
   -h, --help     this text
   -V, --version  the version
 
-Files are OFF. A coordinate may be an integer, a decimal (with exponent) or a fraction p/q, and counts
-exactly as written; results are exact. A file without facets is a point set and stands for its hull;
-a file whose only facet is a polygon or has two vertices is a polytope of dimension 2 or 1.
+Files are OFF. A coordinate may be an integer, a decimal (with exponent) or a fraction p/q, and
+counts exactly as written; results are exact. A file without facets is a point set and stands for
+its hull; a file whose only facet is a polygon, or has two vertices, is one of dimension
+2 or 1.
 `-` is standard input or standard output.
 
 exit code: 0 done; 1 error: FILE:LINE: what, and what to do; 2 wrong command line
@@ -92,9 +93,9 @@ usage: splitstar info A [--json]
   --json       one JSON object on standard output
   -q, --quiet  no notes
 
-Coplanar facets that share an edge count as one facet, and what is merged is not counted as vertex or
-edge; `filed` are the numbers in the file. Components are boundary shells. The volume is exact, and
-there is none if the boundary is not closed.
+Coplanar facets that share an edge count as one facet, and edges and vertices that vanish thereby
+are not counted; `filed` are the numbers in the file. Components are boundary shells. The volume is
+exact, and there is none if the boundary is not closed.
 
 example:
   splitstar info cube.off --json
@@ -111,9 +112,9 @@ usage: splitstar convert A -o OUT [OPTIONS]
 applied in this order:
   --scale S             multiply by S, not zero; a negative S also reflects
   --reflect             x to -x, for all three coordinates
-  --rotate AX,AY,AZ,DEG turn about an axis through the origin, counterclockwise, by DEG degrees: exact
-                        for multiples of 90 about a coordinate axis, else by the rational rotation
-                        whose quaternion is printed, less than 1e-12 away
+  --rotate AX,AY,AZ,DEG turn about an axis through the origin, counterclockwise, by DEG degrees:
+                        exact for multiples of 90 about a coordinate axis, else by a rational
+                        rotation less than 1e-12 away; its quaternion is printed
   --quat W,X,Y,Z        turn by a quaternion, exactly; its length does not matter
   --translate X,Y,Z     move
   --triangulate         cut facets into triangles; the way out for facets that are not planar

@@ -164,3 +164,30 @@ impl Drop for Temporary {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_temporary_file_is_known_while_it_exists() {
+        let folder = std::env::temp_dir().join(format!("splitstar-output-{}", std::process::id()));
+        fs::create_dir_all(&folder).unwrap();
+        let target = folder.join("out.off");
+        let dropped = Temporary::create(&target).unwrap();
+        // What the handler of Ctrl-C would remove.
+        assert_eq!(temporary().as_ref(), Some(&dropped.path));
+        assert!(dropped.path.exists());
+        let path = dropped.path.clone();
+        drop(dropped);
+        assert!(!path.exists() && temporary().is_none());
+
+        let mut renamed = Temporary::create(&target).unwrap();
+        renamed.file.write_all(b"all of it").unwrap();
+        renamed.rename(&target).unwrap();
+        assert_eq!(fs::read(&target).unwrap(), b"all of it");
+        assert!(temporary().is_none());
+        assert_eq!(fs::read_dir(&folder).unwrap().count(), 1);
+        fs::remove_dir_all(&folder).unwrap();
+    }
+}
