@@ -12,7 +12,7 @@ use std::path::PathBuf;
 pub(crate) enum Command {
     Help(Option<Verb>),
     Version,
-    Run(Run),
+    Run(Box<Run>),
 }
 
 /// A verb with its operands and options. Options that the verb does not have are at their defaults.
@@ -170,7 +170,7 @@ fn parse_run(verb: Verb, parser: &mut lexopt::Parser) -> Result<Command, Failure
         set(&mut run, option, parser)?;
     }
     check(&run, &given)?;
-    Ok(Command::Run(run))
+    Ok(Command::Run(Box::new(run)))
 }
 
 fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Result<(), Failure> {
@@ -305,7 +305,7 @@ mod tests {
 
     fn run(line: &str) -> Run {
         match words(line) {
-            Ok(Command::Run(run)) => run,
+            Ok(Command::Run(run)) => *run,
             other => panic!("{line}: {other:?}"),
         }
     }

@@ -31,19 +31,22 @@ fn rotations_agree_with_the_turned_models() {
     let out = folder.path("out.off");
     // R(t) about an axis, t the tangent of half the angle, is the quaternion 1 + t axis. Rz(1/10) after
     // Ry(9/10) is (10 + k)(10 + 9j) = 100 - 9i + 90j + 10k.
-    let rows: [(&str, &[&str], &str, Option<[&str; 4]>); 6] = [
-        ("dp.off", &["--rotate", "0,1,0,90"], "odp_exact90.off", Some(["1", "0", "1", "0"])),
-        ("dp.off", &["--rotate", "0,-3,0,-90"], "odp_exact90.off", Some(["1", "0", "1", "0"])),
-        ("dp.off", &["--quat", "100,-9,90,10"], "odp.xoff", Some(["100", "-9", "90", "10"])),
-        ("dp.off", &["--quat", "-10/9,0.1,-1,-1/9"], "odp.xoff", Some(["100", "-9", "90", "10"])),
-        ("gs4.off", &["--quat", "50,0,0,1"], "rgs4.xoff", Some(["50", "0", "0", "1"])),
-        ("el16.off", &["--rotate", "1,0,0,90"], "oel16_exact90.off", Some(["1", "1", "0", "0"])),
+    let rows = [
+        ("dp.off", ["--rotate", "0,1,0,90"], "odp_exact90.off", ["1", "0", "1", "0"]),
+        ("dp.off", ["--rotate", "0,-3,0,-90"], "odp_exact90.off", ["1", "0", "1", "0"]),
+        ("dp.off", ["--quat", "100,-9,90,10"], "odp.xoff", ["100", "-9", "90", "10"]),
+        ("dp.off", ["--quat", "-10/9,0.1,-1,-1/9"], "odp.xoff", ["100", "-9", "90", "10"]),
+        ("gs4.off", ["--quat", "50,0,0,1"], "rgs4.xoff", ["50", "0", "0", "1"]),
+        ("el16.off", ["--rotate", "1,0,0,90"], "oel16_exact90.off", ["1", "1", "0", "0"]),
     ];
     for (from, words, to, quaternion) in rows {
         let [from, to] = [from, to].map(|name| model(&format!("convex/{name}")));
-        let run = run(&[&["convert", &from, "-o", &out, "--json"], words].concat());
-        let shown =
-            quaternion.map_or(String::new(), |q| format!("turned by the quaternion {}\n", q.join(",")));
+        let run = run(&[&["convert", &from, "-o", &out, "--json"], &words[..]].concat());
+        let shown = format!(
+            "turned by the quaternion {}
+",
+            quaternion.join(",")
+        );
         assert!(run.stderr.ends_with(&shown), "{}", run.stderr);
         let object = run.json();
         assert_eq!(object["quaternion"], json!(quaternion), "{words:?}");

@@ -1,5 +1,8 @@
 //! The program as its users see it: words in; exit code, streams and files out.
 
+// A test fails by panicking, in its helpers too.
+#![allow(clippy::unwrap_used)]
+
 mod convert;
 mod invalid;
 mod results;
