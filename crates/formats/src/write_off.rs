@@ -103,6 +103,9 @@ pub fn write_off(mesh: &PolygonMesh, options: &WriteOptions) -> Result<(Vec<u8>,
 }
 
 fn put_exact(text: &mut Vec<u8>, point: &Point3) {
+    if let Some([x, y, z, 1]) = point.as_narrow() {
+        return put(text, format_args!("{x} {y} {z}\n"));
+    }
     for axis in 0..3 {
         put(text, format_args!("{}{}", point.coordinate(axis), ending(axis)));
     }

@@ -1,5 +1,8 @@
 //! Changed files, many: the reader answers at once, and what it accepts it can write and read again.
 
+// A test prints its seed, and fails by panicking, in its helpers too.
+#![allow(clippy::print_stdout, clippy::unwrap_used)]
+
 use splitstar_formats::{WriteOptions, read_off, write_off};
 use std::path::Path;
 use std::time::{Duration, Instant};

@@ -1,1 +1,3 @@
-//! Skeleton.
+//! Exact computational geometry: the facade.
+
+pub use {dcel, exact, formats, polytope};

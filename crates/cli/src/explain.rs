@@ -1,0 +1,149 @@
+//! What is wrong with a mesh, in the lines of its file.
+
+use crate::input::Operand;
+use splitstar::dcel::Defect;
+use splitstar::exact::Rational;
+use splitstar::polytope::MeshError;
+
+/// The line at fault, and what is wrong there; not yet what to do.
+pub(crate) fn mesh_error(error: &MeshError, operand: &Operand) -> (Option<u32>, String) {
+    let lines = Lines(operand);
+    match error {
+        MeshError::NotClosed(defect) => not_closed(*defect, &lines),
+        MeshError::NonPlanar { facet, vertex, squared_distance } => (
+            lines.facet(*facet),
+            format!(
+                "the facet is not planar: {} lies {} off the plane of its first corners",
+                lines.vertex(*vertex),
+                approx_root(squared_distance)
+            ),
+        ),
+        MeshError::ReflexEdge { edge: [a, b], facets: [left, right] } => (
+            lines.facet(*left),
+            format!(
+                "not convex: the edge from {} to {} is reflex, between the {}",
+                lines.vertex(*a),
+                lines.vertex(*b),
+                lines.facets([*left, *right])
+            ),
+        ),
+        MeshError::SeveralShells { shells, facets } => (
+            lines.facet(facets[1]),
+            format!(
+                "not convex: the surface has {shells} shells, those of the {}, say",
+                lines.facets(*facets)
+            ),
+        ),
+        MeshError::NotOnHull { facet } => (
+            lines.facet(*facet),
+            "not convex: the facet does not lie on the boundary of the convex hull, or the surface covers \
+             the boundary more than once"
+                .into(),
+        ),
+        MeshError::LooseEdge { facet } => {
+            (lines.facet(*facet), "a facet of two vertices beside other facets".into())
+        }
+        other => (None, other.to_string()),
+    }
+}
+
+fn not_closed(defect: Defect, lines: &Lines<'_>) -> (Option<u32>, String) {
+    match defect {
+        Defect::Border { edge: [a, b], facet } => (
+            lines.facet(facet),
+            format!(
+                "not closed: the edge from {} to {} has a facet on one side only",
+                lines.vertex(a),
+                lines.vertex(b)
+            ),
+        ),
+        Defect::Orientation { edge: [a, b], facets } => (
+            lines.facet(facets[1]),
+            format!(
+                "the orientation disagrees: the {} both run from {} to {}; turn one of them round",
+                lines.facets(facets),
+                lines.vertex(a),
+                lines.vertex(b)
+            ),
+        ),
+        Defect::NonManifoldEdge { edge: [a, b], facets } => (
+            lines.vertex_line(a),
+            format!(
+                "not convex: {facets} facets meet at the edge from {} to {}, and only two may",
+                lines.vertex(a),
+                lines.vertex(b)
+            ),
+        ),
+        Defect::NonManifoldVertex { vertex } => (
+            lines.vertex_line(vertex),
+            format!("not convex: the facets at {} form more than one cycle around it", lines.vertex(vertex)),
+        ),
+        Defect::DegenerateCycle { facet } => (
+            lines.facet(facet),
+            "the facet is degenerate: fewer than three corners, or one twice in a row".into(),
+        ),
+        other => (None, format!("the surface is not closed: {other}")),
+    }
+}
+
+/// Names the cells of a mesh by the lines of its file.
+struct Lines<'a>(&'a Operand);
+
+impl Lines<'_> {
+    /// A single polygon has a back that is in no file: the polygon stands for it.
+    fn facet(&self, facet: u32) -> Option<u32> {
+        self.0.facet_line(facet as usize).or_else(|| self.0.facet_line(0))
+    }
+
+    fn vertex_line(&self, vertex: u32) -> Option<u32> {
+        self.0.vertex_line(vertex as usize)
+    }
+
+    fn vertex(&self, vertex: u32) -> String {
+        match self.vertex_line(vertex) {
+            Some(line) => format!("vertex {vertex} (line {line})"),
+            None => format!("vertex {vertex}"),
+        }
+    }
+
+    fn facets(&self, [left, right]: [u32; 2]) -> String {
+        match [left, right].map(|facet| self.facet(facet)) {
+            [Some(a), Some(b)] => format!("facets {left} (line {a}) and {right} (line {b})"),
+            _ => format!("facets {left} and {right}"),
+        }
+    }
+}
+
+/// The square root of an exact number with six digits, for reading only.
+pub(crate) fn approx_root(squared: &Rational) -> String {
+    approx(squared.approx_f64().sqrt())
+}
+
+/// A float with six significant digits and no zeros at the end.
+pub(crate) fn approx(value: f64) -> String {
+    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
+    if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
+        format!("{rounded}")
+    } else {
+        format!("{rounded:e}")
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn approximations_are_short() {
+        let rows = [
+            (0.0, "0"),
+            (1.0 / 3.0, "0.333333"),
+            (2.5, "2.5"),
+            (1e300, "1e300"),
+            (1.0e-17 / 3.0, "3.33333e-18"),
+        ];
+        for (value, shown) in rows {
+            assert_eq!(approx(value), shown);
+        }
+    }
+}

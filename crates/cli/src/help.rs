@@ -1,0 +1,131 @@
+//! The help texts.
+
+use crate::args::Verb;
+
+pub(crate) const VERSION: &str = concat!("splitstar ", env!("CARGO_PKG_VERSION"), "\n");
+
+pub(crate) fn text(verb: Option<Verb>) -> &'static str {
+    match verb {
+        None => GENERAL,
+        Some(Verb::Sum) => SUM,
+        Some(Verb::Hull) => HULL,
+        Some(Verb::Info) => INFO,
+        Some(Verb::Convert) => CONVERT,
+    }
+}
+
+const GENERAL: &str = "\
+splitstar: exact computational geometry
+
+usage: splitstar VERB FILE... [OPTIONS]
+
+verbs:
+  sum      the Minkowski sum of two or more convex polytopes
+  hull     the convex hull of the points of one or more files
+  info     what a file is: counts, dimension, convexity, volume, bounds
+  convert  scale, reflect, rotate, move, triangulate; any mesh
+
+  splitstar VERB --help tells all about a verb, with an example.
+
+options of all verbs:
+  --json         one JSON object on standard output
+  -q, --quiet    no notes, no summary, no progress bar
+  -h, --help     this text
+  -V, --version  the version
+
+Files are OFF. A coordinate may be an integer, a decimal (with exponent) or a fraction p/q, and
+counts exactly as written; results are exact. A file without facets is a point set and stands for
+its hull; a file whose only facet is a polygon, or has two vertices, is one of dimension
+2 or 1.
+`-` is standard input or standard output.
+
+exit code: 0 done; 1 error: FILE:LINE: what, and what to do; 2 wrong command line
+
+example:
+  splitstar sum cube.off octahedron.off -o sum.off
+";
+
+const SUM: &str = "\
+splitstar sum: the Minkowski sum of two or more convex polytopes, exact
+
+usage: splitstar sum A B [C ...] -o OUT [OPTIONS]
+
+  A B C ...         OFF files of convex polytopes of dimension 0 to 3; `-` is standard input
+  -o, --output OUT  where to write the sum; `-` is standard output
+  --method METHOD   overlay: walk over both Gaussian maps (default)
+                    hull: convex hull of all sums of vertices, slower, the check of the other
+  --hull            take the convex hull of a file that is not convex, and tell how far a vertex
+                    of the mesh lies inside it at most
+  --float           write floats, rounded to nearest, and tell the largest rounding
+  --json            one JSON object on standard output: counts, volume, bounds, method, times
+  -q, --quiet       no notes, no summary, no progress bar
+
+A file that is not convex is refused, and the edge named where it is not.
+
+example:
+  splitstar sum cube.off octahedron.off -o sum.off
+  splitstar info sum.off
+";
+
+const HULL: &str = "\
+splitstar hull: the convex hull of the points of one or more files, exact
+
+usage: splitstar hull A [B ...] -o OUT [OPTIONS]
+
+  A B ...           OFF files, of which only the points are used; `-` is standard input
+  -o, --output OUT  where to write the hull; `-` is standard output
+  --float           write floats, rounded to nearest, and tell the largest rounding
+  --json            one JSON object on standard output: counts, volume, bounds, times
+  -q, --quiet       no notes, no summary, no progress bar
+
+The hull of coplanar points is a polygon, of collinear points a segment, of equal points a point.
+
+example:
+  splitstar hull star.off -o hull.off
+";
+
+const INFO: &str = "\
+splitstar info: what a file is
+
+usage: splitstar info A [--json]
+
+  A            an OFF file, convex or not, closed or not; `-` is standard input
+  --json       one JSON object on standard output
+  -q, --quiet  no notes
+
+Coplanar facets that share an edge count as one facet, and edges and vertices that vanish thereby
+are not counted; `filed` are the numbers in the file. Components are boundary shells. The volume is
+exact, and there is none if the boundary is not closed.
+
+example:
+  splitstar info cube.off --json
+";
+
+const CONVERT: &str = "\
+splitstar convert: scale, reflect, rotate, move, triangulate; any mesh, exact
+
+usage: splitstar convert A -o OUT [OPTIONS]
+
+  A                     an OFF file, convex or not; `-` is standard input
+  -o, --output OUT      where to write; `-` is standard output
+
+applied in this order:
+  --scale S             multiply by S, not zero; a negative S also reflects
+  --reflect             x to -x, for all three coordinates
+  --rotate AX,AY,AZ,DEG turn about an axis through the origin, counterclockwise, by DEG degrees:
+                        exact for multiples of 90 about a coordinate axis, else by a rational
+                        rotation less than 1e-12 away; its quaternion is printed
+  --quat W,X,Y,Z        turn by a quaternion, exactly; its length does not matter
+  --translate X,Y,Z     move
+  --triangulate         cut facets into triangles; the way out for facets that are not planar
+
+  --float               write floats, rounded to nearest, and tell the largest rounding
+  --json                one JSON object on standard output
+  -q, --quiet           no notes, no summary, no progress bar
+
+A number may be an integer, a decimal or a fraction p/q. Facets keep their orientation: if the map
+reflects, they are turned round.
+
+example:
+  splitstar convert cube.off -o turned.off --scale 1/2 --rotate 0,0,1,30 --translate -1,0,0.5
+";

@@ -1,0 +1,175 @@
+//! The facts about a mesh or a result: one JSON object, or a readable table.
+
+use serde::Serialize;
+use splitstar::exact::{Point3, Rational};
+use splitstar::polytope::{Bounds, MeshSummary, PolygonMesh, Polytope};
+use std::fmt::Write;
+use std::time::{Duration, Instant};
+
+/// The object that `--json` prints. Exact numbers are strings.
+#[derive(Serialize)]
+pub(crate) struct Report {
+    vertices: usize,
+    edges: usize,
+    facets: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    filed: Option<Filed>,
+    dimension: Option<u8>,
+    convex: bool,
+    closed: bool,
+    components: usize,
+    genus: Vec<Option<u32>>,
+    volume: Option<String>,
+    bounds: Option<Corners>,
+    #[serde(flatten, skip_serializing_if = "Option::is_none")]
+    made: Option<Made>,
+}
+
+/// The numbers as they stand in the file.
+#[derive(Serialize)]
+struct Filed {
+    vertices: usize,
+    facets: usize,
+}
+
+#[derive(Serialize)]
+struct Corners {
+    min: [String; 3],
+    max: [String; 3],
+}
+
+/// What only results have.
+#[derive(Serialize)]
+pub(crate) struct Made {
+    pub(crate) method: &'static str,
+    pub(crate) width_bits: u32,
+    /// The largest rounding, if floats were written.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) rounding: Option<String>,
+    /// The quaternion of a rotation: w, x, y, z.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) quaternion: Option<[String; 4]>,
+    pub(crate) seconds: Seconds,
+}
+
+#[derive(Serialize, Clone, Copy, Default)]
+pub(crate) struct Seconds {
+    pub(crate) read: f64,
+    pub(crate) compute: f64,
+    pub(crate) write: f64,
+}
+
+impl Report {
+    pub(crate) fn of_summary(summary: &MeshSummary) -> Self {
+        Self {
+            vertices: summary.vertices,
+            edges: summary.edges,
+            facets: summary.facets,
+            filed: None,
+            dimension: summary.dimension,
+            convex: summary.convex,
+            closed: summary.closed,
+            components: summary.components,
+            genus: summary.genus.clone(),
+            volume: summary.volume.as_ref().map(Rational::to_string),
+            bounds: summary.bounds.as_ref().map(Corners::of),
+            made: None,
+        }
+    }
+
+    pub(crate) fn of_mesh(mesh: &PolygonMesh) -> Self {
+        Self::of_summary(&MeshSummary::of(mesh))
+    }
+
+    /// What a polytope is needs no search.
+    pub(crate) fn of_polytope(polytope: &Polytope) -> Self {
+        let counts = polytope.counts();
+        Self {
+            vertices: counts.vertices,
+            edges: counts.edges,
+            facets: counts.facets,
+            filed: None,
+            dimension: Some(polytope.dimension()),
+            convex: true,
+            closed: true,
+            components: 1,
+            genus: vec![Some(0)],
+            volume: Some(polytope.volume().to_string()),
+            bounds: Some(Corners::of(&polytope.bounds())),
+            made: None,
+        }
+    }
+
+    pub(crate) fn filed(self, vertices: usize, facets: usize) -> Self {
+        Self { filed: Some(Filed { vertices, facets }), ..self }
+    }
+
+    pub(crate) fn made(self, made: Made) -> Self {
+        Self { made: Some(made), ..self }
+    }
+
+    /// One line.
+    pub(crate) fn json(&self) -> String {
+        let mut text = serde_json::to_string(self).expect("strings, numbers and lists make an object");
+        text.push('\n');
+        text
+    }
+
+    pub(crate) fn table(&self) -> String {
+        let mut text = String::new();
+        let mut row = |name: &str, value: &dyn std::fmt::Display| {
+            writeln!(text, "{name:<12}{value}").expect("writing to memory does not fail");
+        };
+        let filed = |count: Option<usize>| count.map_or(String::new(), |n| format!(" (filed {n})"));
+        let vertices = filed(self.filed.as_ref().map(|f| f.vertices).filter(|&n| n != self.vertices));
+        let facets = filed(self.filed.as_ref().map(|f| f.facets).filter(|&n| n != self.facets));
+        row("vertices", &format_args!("{}{vertices}", self.vertices));
+        row("edges", &self.edges);
+        row("facets", &format_args!("{}{facets}", self.facets));
+        row("dimension", &self.dimension.map_or("none".to_string(), |d| d.to_string()));
+        row("convex", &yes(self.convex));
+        row("closed", &yes(self.closed));
+        row("components", &self.components);
+        let genus = |g: &Option<u32>| g.map_or("none".to_string(), |g| g.to_string());
+        row("genus", &self.genus.iter().map(genus).collect::<Vec<_>>().join(", "));
+        row("volume", &self.volume.as_deref().unwrap_or("none"));
+        if let Some(bounds) = &self.bounds {
+            row("minimum", &bounds.min.join(" "));
+            row("maximum", &bounds.max.join(" "));
+        }
+        text.lines().map(|line| format!("{}\n", line.trim_end())).collect()
+    }
+}
+
+fn yes(fact: bool) -> &'static str {
+    if fact { "yes" } else { "no" }
+}
+
+impl Corners {
+    fn of(bounds: &Bounds) -> Self {
+        let shown = |corner: &[Rational; 3]| corner.each_ref().map(Rational::to_string);
+        Self { min: shown(&bounds.min), max: shown(&bounds.max) }
+    }
+}
+
+/// The widest integer, in bits, among the coordinates and weights of points.
+pub(crate) fn width_bits(points: &[Point3]) -> u32 {
+    points.iter().map(Point3::bits).max().unwrap_or(0)
+}
+
+/// Measures one phase after the other.
+pub(crate) struct Clock(Instant);
+
+impl Clock {
+    pub(crate) fn start() -> Self {
+        Self(Instant::now())
+    }
+
+    /// The seconds since the last call, or since the start.
+    pub(crate) fn lap(&mut self) -> f64 {
+        let now = Instant::now();
+        let lap: Duration = now - self.0;
+        self.0 = now;
+        lap.as_secs_f64()
+    }
+}

@@ -1,0 +1,28 @@
+//! `splitstar info`.
+
+use crate::args::Run;
+use crate::console::Console;
+use crate::explain::mesh_error;
+use crate::failure::Failure;
+use crate::input::Operand;
+use crate::output;
+use crate::report::Report;
+use splitstar::polytope::MeshSummary;
+
+pub(crate) fn info(run: &Run) -> Result<(), Failure> {
+    let mut console = Console::new(run.quiet, 2);
+    let operand = Operand::read(&run.operands[0], &console)?;
+    console.step("info");
+    let mesh = &operand.read.mesh;
+    let summary = MeshSummary::of(mesh);
+    let report = Report::of_summary(&summary).filed(mesh.points.len(), mesh.facets.len());
+    console.close();
+    for note in &summary.notes {
+        console.note(&operand.name, None, &note.to_string());
+    }
+    if let Some(defect) = &summary.defect {
+        let (line, what) = mesh_error(defect, &operand);
+        console.note(&operand.name, line, &what);
+    }
+    output::report(&if run.json { report.json() } else { report.table() })
+}

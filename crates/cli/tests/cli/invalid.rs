@@ -1,0 +1,184 @@
+//! `models/invalid/EXPECTED.md`, row by row, for `sum` and for `hull`.
+
+use crate::{Folder, counts, finish, model, program, run};
+use std::fs;
+
+enum Sum {
+    /// Exit code 1; the line in the file (0: none), and words of the message.
+    Error(u32, &'static [&'static str]),
+    /// The counts of the sum with a cube, and words of the note; no note if there are none.
+    Result([u64; 3], &'static [&'static str]),
+}
+use Sum::{Error, Result};
+
+const CUBE: [u64; 3] = [8, 12, 6];
+
+/// File, outcome of `sum`, counts of `hull` (none: it is refused as `sum` refuses it).
+const ROWS: &[(&str, Sum, Option<[u64; 3]>)] = &[
+    ("open_mesh.off", Error(11, &["vertex 0 (line 3)", "vertex 3 (line 6)", "one side only"]), Some(CUBE)),
+    (
+        "flipped_facet.off",
+        Error(14, &["orientation", "facets 0 (line 11) and 3 (line 14)", "vertex 2 (line 5)"]),
+        Some(CUBE),
+    ),
+    ("inside_out.off", Result(CUBE, &["inside out", "turned"]), Some(CUBE)),
+    (
+        "non_planar_quad.off",
+        Error(12, &["not planar", "0.894427", "--triangulate", "--hull"]),
+        Some([8, 13, 7]),
+    ),
+    ("duplicate_vertex_unused.off", Result(CUBE, &["1 unused vertex"]), Some(CUBE)),
+    ("facet_soup.off", Result(CUBE, &["24 vertices welded to 8"]), Some(CUBE)),
+    (
+        "self_intersecting.off",
+        Error(16, &["not convex", "vertex 0 (line 3)", "vertex 5 (line 8)", "reflex", "--hull"]),
+        Some([6, 11, 7]),
+    ),
+    ("overlapping_shells.off", Error(25, &["not convex", "2 shells", "--hull"]), Some([14, 24, 12])),
+    ("coordinate_nan.off", Error(3, &["`nan`", "not finite"]), None),
+    ("coordinate_inf.off", Error(3, &["`inf`", "not finite"]), None),
+    ("coordinate_word.off", Error(3, &["`zero`", "no number"]), None),
+    ("zero_denominator.xoff", Error(3, &["`1/0`", "denominator"]), None),
+    ("huge_exponent.off", Result(CUBE, &[]), Some(CUBE)),
+    ("exponent_bomb.off", Error(3, &["`1e999999999`", "largest exponent allowed is 400"]), None),
+    ("zero_area_facet.off", Result([13, 21, 10], &["joined"]), Some([4, 6, 4])),
+    ("two_vertex_facet.off", Error(17, &["facet of two vertices beside polygons"]), None),
+    ("repeated_index.off", Error(16, &["vertex 0 twice"]), None),
+    ("index_out_of_range.off", Error(16, &["vertex index 8", "8 vertices"]), None),
+    ("negative_index.off", Error(16, &["vertex index -1", "8 vertices"]), None),
+    ("truncated.off", Error(12, &["ends where a facet was expected", "2 of 6"]), None),
+    ("truncated_header.off", Error(2, &["ends where the numbers of vertices, facets and edges"]), None),
+    ("wrong_counts.off", Error(16, &["ends where a facet was expected", "6 of 9"]), None),
+    ("huge_counts.off", Error(16, &["ends where a vertex was expected", "14 of 4000000000"]), None),
+    ("no_header.off", Error(1, &["no known format"]), None),
+    ("binary_garbage.off", Error(1, &["no known format"]), None),
+    ("binary_after_header.off", Error(3, &["no number"]), None),
+    ("empty.off", Error(0, &["empty"]), None),
+    ("zero_everything.off", Error(2, &["empty"]), None),
+    ("zero_facets.off", Result(CUBE, &["no facets", "point set", "hull"]), Some(CUBE)),
+    ("flat.off", Result([10, 15, 7], &["dimension 2"]), Some([3, 3, 1])),
+    (
+        "non_manifold_edge.off",
+        Error(4, &["not convex", "vertex 1 (line 4)", "vertex 6 (line 9)"]),
+        Some([12, 18, 8]),
+    ),
+    ("non_manifold_vertex.off", Error(9, &["not convex", "vertex 6 (line 9)"]), Some([14, 24, 12])),
+];
+
+#[test]
+fn every_broken_file_has_a_row() {
+    let mut expected: Vec<&str> = ROWS.iter().map(|row| row.0).collect();
+    expected.push("EXPECTED.md");
+    expected.sort_unstable();
+    let mut found: Vec<String> = fs::read_dir(model("invalid"))
+        .unwrap()
+        .map(|entry| entry.unwrap().file_name().into_string().unwrap())
+        .collect();
+    found.sort();
+    assert_eq!(found, expected);
+}
+
+#[test]
+fn sum_of_every_broken_file() {
+    for method in ["overlay", "hull"] {
+        let folder = Folder::new(&format!("invalid_sum_{method}"));
+        let out = folder.path("out.off");
+        let cube = model("convex/cube.off");
+        for (name, expected, _) in ROWS {
+            let file = model(&format!("invalid/{name}"));
+            for operands in [[&file, &cube], [&cube, &file]] {
+                let [a, b] = operands.map(String::as_str);
+                let run = run(&["sum", a, b, "-o", &out, "--json", "--method", method]);
+                check(name, &file, expected, run, &folder);
+            }
+        }
+    }
+}
+
+fn check(name: &str, file: &str, expected: &Sum, run: crate::Run, folder: &Folder) {
+    match expected {
+        Error(line, words) => {
+            let message = run.error(1);
+            let place =
+                if *line == 0 { format!("error: {file}: ") } else { format!("error: {file}:{line}: ") };
+            assert!(message.starts_with(&place), "{name}: {message}");
+            for word in *words {
+                assert!(message.contains(word), "{name}: {message}");
+            }
+            assert_eq!(folder.names(), [""; 0], "{name}");
+        }
+        Result(expected, words) => {
+            let notes = run.notes().join("\n");
+            assert_eq!(notes.is_empty(), words.is_empty(), "{name}: {notes}");
+            assert!(notes.is_empty() || notes.starts_with(&format!("note: {file}: ")), "{name}: {notes}");
+            for word in *words {
+                assert!(notes.contains(word), "{name}: {notes}");
+            }
+            let object = run.json();
+            assert_eq!(counts(&object), *expected, "{name}");
+            assert_eq!(object["convex"], true, "{name}");
+            fs::remove_file(folder.path("out.off")).unwrap();
+        }
+    }
+}
+
+#[test]
+fn hull_of_every_broken_file() {
+    let folder = Folder::new("invalid_hull");
+    let out = folder.path("out.off");
+    for (name, sum, hull) in ROWS {
+        let file = model(&format!("invalid/{name}"));
+        let run = run(&["hull", &file, "-o", &out, "--json"]);
+        match hull {
+            Some(expected) => assert_eq!(counts(&run.json()), *expected, "{name}"),
+            None => {
+                assert!(matches!(sum, Error(..)), "{name}");
+                run.error(1);
+                assert_eq!(folder.names(), [""; 0], "{name}");
+                continue;
+            }
+        }
+        fs::remove_file(&out).unwrap();
+    }
+}
+
+#[test]
+fn info_describes_what_parses() {
+    for (name, _, hull) in ROWS {
+        let run = run(&["info", &model(&format!("invalid/{name}")), "--json"]);
+        if hull.is_some() {
+            run.json();
+        } else {
+            run.error(1);
+        }
+    }
+}
+
+#[test]
+fn the_huge_cube_is_exact() {
+    let folder = Folder::new("huge_cube");
+    let [file, cube, out] =
+        [model("invalid/huge_exponent.off"), model("convex/cube.off"), folder.path("out.off")];
+    let object = run(&["sum", &file, &cube, "-o", &out, "--json"]).json();
+    assert_eq!(object["bounds"]["min"][0], "-1");
+    assert_eq!(object["bounds"]["max"][2], format!("1{}1", "0".repeat(307)));
+    // A float has room for it too, and the rounding is known.
+    let object = run(&["convert", &out, "-o", &out, "--json", "--float"]).json();
+    assert_eq!(object["width_bits"], 1024);
+    let message = run(&["convert", &out, "-o", &out, "--scale", "10", "--float"]).error(1);
+    assert!(message.contains("beyond the largest float"), "{message}");
+}
+
+/// A file cannot ask for memory by what it promises.
+#[cfg(target_os = "linux")]
+#[test]
+fn promises_allocate_nothing() {
+    let folder = Folder::new("promises");
+    for name in ["huge_counts.off", "exponent_bomb.off"] {
+        let mut command = std::process::Command::new("sh");
+        command.args(["-c", "ulimit -v 200000; exec \"$@\"", "sh"]).arg(program().get_program());
+        command.args(["hull", &model(&format!("invalid/{name}")), "-o", &folder.path("out.off")]);
+        let message = finish(command, b"").error(1);
+        assert!(message.contains(name), "{message}");
+    }
+}
