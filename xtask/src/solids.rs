@@ -14,6 +14,9 @@ pub(crate) struct Solid {
 /// The rotation used for every "turned" operand: a quaternion w, x, y, z far from all symmetries of the sphere.
 pub(crate) const TURN: [i128; 4] = [5, 1, 2, 3];
 
+/// A rotation about the z axis alone, by an angle that is no multiple of the angle of any polygon used here.
+pub(crate) const TURN_ABOUT_Z: [i128; 4] = [5, 0, 0, 1];
+
 /// Decimals of the coordinates of [`geodesic_sphere`].
 const SPHERE_SCALE: i128 = 1_000_000_000_000;
 

@@ -37,7 +37,9 @@ pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
 struct Case {
     /// V + E + F of both operands and of the sum.
     features: f64,
+    /// Median time, and its parts: making the operands, and the sum.
     seconds: f64,
+    phases: [f64; 2],
     /// Peak memory of a process that reads and sums once.
     peak_bytes: f64,
 }
@@ -48,7 +50,15 @@ fn case(operands: &[PathBuf; 2]) -> Result<(), Failure> {
     let peak = peak_kib()?;
     let many = library::measured_sum(operands, 3, 1.0)?;
     let features: usize = once.operands.iter().chain([&once.sum]).map(|counts| counts.features()).sum();
-    println!("{}", json!({ "features": features, "seconds": many.seconds, "peak_bytes": peak * 1024 }));
+    let [operands, sum] = many.phases;
+    let answer = json!({
+        "features": features,
+        "seconds": many.seconds,
+        "operands": operands,
+        "sum": sum,
+        "peak_bytes": peak * 1024,
+    });
+    println!("{answer}");
     Ok(())
 }
 
@@ -59,7 +69,12 @@ fn measure(a: &Path, b: &Path) -> Result<Case, Failure> {
     let answer: Value = serde_json::from_str(text.trim())?;
     let number =
         |key: &str| answer[key].as_f64().ok_or_else(|| format!("no `{key}` in the answer of the case"));
-    Ok(Case { features: number("features")?, seconds: number("seconds")?, peak_bytes: number("peak_bytes")? })
+    Ok(Case {
+        features: number("features")?,
+        seconds: number("seconds")?,
+        phases: [number("operands")?, number("sum")?],
+        peak_bytes: number("peak_bytes")?,
+    })
 }
 
 /// The largest resident set of this process so far.

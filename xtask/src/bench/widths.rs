@@ -29,7 +29,7 @@ pub(super) fn run() -> Result<(), Failure> {
 }
 
 fn histogram() -> Result<(), Failure> {
-    print!("\n{:<36}", "bits of a coordinate, share in %");
+    print!("\n{:<42}", "bits of a coordinate, share in %");
     for end in CLASSES {
         print!(" {:>6}", format!("<={end}"));
     }
@@ -56,7 +56,7 @@ fn name(path: &Path) -> String {
 }
 
 fn line(name: &str, widths: &[u32]) {
-    print!("{name:<36}");
+    print!("{name:<42}");
     let share = |count: usize| 100.0 * count as f64 / widths.len() as f64;
     let mut below = 0;
     for end in CLASSES.into_iter().chain([u32::MAX]) {
@@ -108,7 +108,7 @@ fn exact_points(points: impl Iterator<Item = [f64; 3]>) -> Points {
 }
 
 fn times() -> Result<(), Failure> {
-    println!("\n{:<36} {:>12} {:>10}", "sphere of 2562 vertices and its turn", "seconds", "ns/feature");
+    println!("\n{:<42} {:>12} {:>10}", "sphere of 2562 vertices and its turn", "seconds", "ns/feature");
     let sphere = geodesic_sphere(FREQUENCY);
     let turned = sphere.turned(TURN);
     // The turn multiplies by 39 and nothing is divided here: six bits more.
@@ -118,7 +118,7 @@ fn times() -> Result<(), Failure> {
         let b = write_input(&format!("width{bits}_turned"), &at_width(&turned, turned_bits, bits))?;
         let case = measure(&a, &b)?;
         let time = 1e9 * case.seconds / case.features;
-        println!("{:<36} {:>12.6} {time:>10.0}", format!("integers of {bits} bits"), case.seconds);
+        println!("{:<42} {:>12.6} {time:>10.0}", format!("integers of {bits} bits"), case.seconds);
     }
     Ok(())
 }

@@ -18,6 +18,13 @@ pub(super) enum Method {
     Scipy,
 }
 
+impl Method {
+    /// Whether it is a package of the Python environment.
+    pub(super) fn is_python(self) -> bool {
+        matches!(self, Method::Manifold | Method::Scipy)
+    }
+}
+
 impl std::fmt::Display for Method {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.pad(match self {

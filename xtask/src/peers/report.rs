@@ -125,8 +125,11 @@ fn versions() -> Value {
         let text = shell::output(shell::program(name).arg("--version")).ok()?;
         Some(text.lines().next()?.to_owned())
     };
+    // With a mark when the tree has changes that are not committed.
+    let describe = ["describe", "--always", "--dirty", "--abbrev=40", "--exclude=*"];
+    let commit = shell::output(shell::program("git").args(describe)).ok().map(|name| name.trim().to_owned());
     json!({
-        "commit": shell::output(shell::program("git").args(["rev-parse", "HEAD"])).ok().map(|hash| hash.trim().to_owned()),
+        "commit": commit,
         "rustc": first_line("rustc"),
         "g++": first_line("c++"),
         "cmake": first_line("cmake"),

@@ -11,7 +11,8 @@ use crate::{Failure, shell};
 #[derive(Debug)]
 pub(super) struct Tools {
     cgal: Result<PathBuf, String>,
-    python: Result<PathBuf, String>,
+    /// Nothing where no pair needs it.
+    python: Option<Result<PathBuf, String>>,
 }
 
 impl Tools {
@@ -20,7 +21,7 @@ impl Tools {
         let cgal = self.cgal.as_ref().err().map(|why| {
             format!("CGAL ({why}); on Debian: apt-get install libcgal-dev libgmp-dev libmpfr-dev libboost-dev cmake g++")
         });
-        let python = self.python.as_ref().err().map(|why| {
+        let python = self.python.as_ref().and_then(|python| python.as_ref().err()).map(|why| {
             format!("Manifold and SciPy ({why}); on Debian: apt-get install python3-venv, and access to a Python package index")
         });
         cgal.into_iter().chain(python).collect()
@@ -30,7 +31,7 @@ impl Tools {
     pub(super) fn command(&self, method: Method) -> Option<Command> {
         let driver = |name: &str| self.cgal.as_ref().ok().map(|folder| shell::program(folder.join(name)));
         let script = |name: &str| {
-            let mut command = shell::program(self.python.as_ref().ok()?);
+            let mut command = shell::program(self.python.as_ref()?.as_ref().ok()?);
             command.arg(shell::root().join("peers/float/float_sums.py")).arg(name);
             Some(command)
         };
@@ -43,10 +44,11 @@ impl Tools {
     }
 }
 
-/// Makes the peers ready, from what was made before where that is up to date.
-pub(super) fn tools() -> Tools {
+/// Makes the peers of those pairs ready, from what was made before where that is up to date.
+pub(super) fn tools(pairs: &[&Pair]) -> Tools {
     let sentence = |failure: Failure| failure.to_string();
-    Tools { cgal: cgal().map_err(sentence), python: python().map_err(sentence) }
+    let needs_python = pairs.iter().any(|pair| pair.methods.iter().any(|method| method.is_python()));
+    Tools { cgal: cgal().map_err(sentence), python: needs_python.then(|| python().map_err(sentence)) }
 }
 
 /// Configures and builds with CMake, which sets the flags that CGAL's interval arithmetic needs.
