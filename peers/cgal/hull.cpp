@@ -10,7 +10,7 @@
 int main(int count, char** values) try {
   const Arguments in = arguments(count, values);
   Hull hull;
-  const Samples samples = repeat(in.least, in.budget, [&] {
+  const Samples samples = repeat(in.least, in.budget, 2, [&] {
     hull = Hull();
     const double t0 = cpu_seconds();
     const auto a = kernel_points(in.a), b = kernel_points(in.b);

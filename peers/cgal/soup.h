@@ -148,21 +148,22 @@ inline double median(std::vector<double> values) {
   return n % 2 ? values[n / 2] : (values[n / 2 - 1] + values[n / 2]) / 2;
 }
 
-// Repeats `run` in a warm process, at least `least` times and for about `budget` seconds; `run` returns its timed phases.
+// Repeats `run` in a warm process, at least `least` times and for about `budget` seconds; `run` returns the times of its
+// phases, of which only the first `counted` make the total.
 struct Samples {
   std::vector<std::vector<double>> phases;
   std::vector<double> totals;
 };
 
 template <class Run>
-Samples repeat(std::size_t least, double budget, Run&& run) {
+Samples repeat(std::size_t least, double budget, std::size_t counted, Run&& run) {
   Samples samples;
   const double start = cpu_seconds();
   while (samples.totals.size() < least || (cpu_seconds() - start < budget && samples.totals.size() < 2000)) {
     const std::vector<double> phases = run();
     samples.phases.resize(phases.size());
     for (std::size_t i = 0; i < phases.size(); ++i) samples.phases[i].push_back(phases[i]);
-    samples.totals.push_back(std::accumulate(phases.begin(), phases.end(), 0.0));
+    samples.totals.push_back(std::accumulate(phases.begin(), phases.begin() + static_cast<long>(counted), 0.0));
   }
   return samples;
 }

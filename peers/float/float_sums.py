@@ -3,11 +3,13 @@
 usage: float_sums.py manifold|scipy A B [LEAST [SECONDS]]
 
 Prints one JSON object on one line, read by `cargo xtask peers`. Times are CPU seconds of the process, which is bound to one
-processor first, so that a library with a thread pool is measured on one thread like everything else.
+processor first, so that a library with a thread pool is measured on one thread like everything else. `user_seconds` leaves out
+what the system spent on it, which is mostly memory that is touched for the first time.
 """
 
 import json
 import os
+import resource
 import statistics
 import sys
 import time
@@ -72,9 +74,11 @@ def main():
     least = int(sys.argv[4]) if len(sys.argv) > 4 else 3
     budget = float(sys.argv[5]) if len(sys.argv) > 5 else 1.0
     run, names, what = {"manifold": manifold, "scipy": scipy}[method](read_off(name_a), read_off(name_b))
-    phases, totals = [], []
+    phases, totals, user = [], [], []
     while len(totals) < least or (sum(totals) < budget and len(totals) < 2000):
+        before = resource.getrusage(resource.RUSAGE_SELF).ru_utime
         clock, vertices, triangles = run()
+        user.append(resource.getrusage(resource.RUSAGE_SELF).ru_utime - before)
         phases.append([end - start for start, end in zip(clock, clock[1:])])
         totals.append(clock[-1] - clock[0])
     medians = {name: statistics.median(p[i] for p in phases) for i, name in enumerate(names)}
@@ -84,6 +88,7 @@ def main():
         "repetitions": len(totals),
         "seconds": statistics.median(totals),
         "phases": medians,
+        "user_seconds": statistics.median(user),
         "vertices": vertices,
         "triangles": triangles,
     }

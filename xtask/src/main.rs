@@ -1,2 +1,56 @@
-//! Skeleton.
-fn main() {}
+//! The project's own tasks, run as `cargo xtask VERB`.
+//!
+//! | verb | what it does |
+//! |---|---|
+//! | `ci` | what continuous integration runs: format, lints, tests, documentation, `tidy` |
+//! | `tidy` | checks the tree against `ARCHITECTURE.md` and the rules for files |
+//! | `tables` | counts the primal columns of thesis tables 3.3 and 3.4 again |
+//! | `peers` | times the library and its peers on the same inputs, in one run |
+//! | `bench` | growth of time and memory with the size of the input, and with the width of the coordinates |
+#![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program for the terminal")]
+
+mod bench;
+mod ci;
+mod library;
+mod peers;
+mod shell;
+mod solids;
+mod tables;
+mod tidy;
+
+use std::process::ExitCode;
+
+/// What stops a task: one sentence for the terminal.
+type Failure = Box<dyn std::error::Error>;
+
+const USAGE: &str = "\
+usage: cargo xtask VERB
+
+  ci                                         everything that must pass before a change lands
+  tidy                                       ARCHITECTURE.md against the tree
+  tables                                     thesis tables 3.3 and 3.4: counted, printed, why they differ
+  peers [--require] [--only PAIR] [--out F]  speed against CGAL, Manifold and SciPy; see peers/README.md
+  bench [growth|widths]                      growth of time and memory; widths of coordinates";
+
+fn main() -> ExitCode {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let words: Vec<&str> = arguments.iter().map(String::as_str).collect();
+    let outcome = match words.as_slice() {
+        ["ci"] => ci::run(),
+        ["tidy"] => tidy::run(),
+        ["tables"] => tables::run(),
+        ["peers", rest @ ..] => peers::run(rest),
+        ["bench", rest @ ..] => bench::run(rest),
+        _ => {
+            eprintln!("{USAGE}");
+            return ExitCode::from(2);
+        }
+    };
+    match outcome {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(failure) => {
+            eprintln!("error: {failure}");
+            ExitCode::FAILURE
+        }
+    }
+}

@@ -1,0 +1,104 @@
+//! The one place where the tasks call the library.
+
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use formats::read_off;
+use polytope::{PolygonMesh, Polytope, minkowski_sum};
+
+use crate::Failure;
+
+/// Vertices, edges and facets of a polytope, coplanar facets merged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Counts {
+    pub(crate) vertices: usize,
+    pub(crate) edges: usize,
+    pub(crate) facets: usize,
+}
+
+impl Counts {
+    /// V + E + F.
+    pub(crate) fn features(self) -> usize {
+        self.vertices + self.edges + self.facets
+    }
+}
+
+impl std::fmt::Display for Counts {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}/{}/{}", self.vertices, self.edges, self.facets)
+    }
+}
+
+/// A sum that was measured.
+#[derive(Debug, Clone)]
+pub(crate) struct Measured {
+    /// Counts of each operand.
+    pub(crate) operands: Vec<Counts>,
+    pub(crate) sum: Counts,
+    /// Median over the repetitions, from the parsed meshes to the finished result with exact coordinates.
+    pub(crate) seconds: f64,
+    /// Medians of its two parts: making the polytopes of the operands, and the sum.
+    pub(crate) phases: [f64; 2],
+    pub(crate) repetitions: usize,
+}
+
+/// Counts of the sum of the models in these files, or of the one model.
+///
+/// # Errors
+/// If a file is not a convex mesh.
+pub(crate) fn sum_counts(paths: &[PathBuf]) -> Result<Counts, Failure> {
+    Ok(measured_sum(paths, 1, 0.0)?.sum)
+}
+
+/// Sums the models in these files again and again in this process, at least `least` times and for about `budget` seconds.
+///
+/// # Errors
+/// If a file is not a convex mesh.
+pub(crate) fn measured_sum(paths: &[PathBuf], least: usize, budget: f64) -> Result<Measured, Failure> {
+    let meshes = paths.iter().map(|path| read(path)).collect::<Result<Vec<_>, _>>()?;
+    let mut times: Vec<[f64; 2]> = Vec::new();
+    let start = Instant::now();
+    loop {
+        let begin = Instant::now();
+        let polytopes = meshes.iter().map(polytope).collect::<Result<Vec<_>, _>>()?;
+        let built = Instant::now();
+        let sum = minkowski_sum(&polytopes.iter().collect::<Vec<_>>());
+        let end = Instant::now();
+        times.push([built - begin, end - built].map(|time| time.as_secs_f64()));
+        if times.len() >= least.max(1) && (start.elapsed().as_secs_f64() >= budget || times.len() == 20_000) {
+            return Ok(Measured {
+                operands: polytopes.iter().map(counts).collect(),
+                sum: counts(&sum),
+                seconds: median(times.iter().map(|[build, sum]| build + sum).collect()),
+                phases: [0, 1].map(|part| median(times.iter().map(|phases| phases[part]).collect())),
+                repetitions: times.len(),
+            });
+        }
+    }
+}
+
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    let middle = values.len() / 2;
+    if values.len() % 2 == 1 { values[middle] } else { f64::midpoint(values[middle - 1], values[middle]) }
+}
+
+/// Reads an OFF file.
+///
+/// # Errors
+/// If the file is missing or is not a mesh.
+pub(crate) fn read(path: &Path) -> Result<PolygonMesh, Failure> {
+    let bytes = std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
+    let read = read_off(&bytes).map_err(|error| format!("{}: {error}", path.display()))?;
+    Ok(read.mesh)
+}
+
+/// The polytope of a convex mesh.
+fn polytope(mesh: &PolygonMesh) -> Result<Polytope, Failure> {
+    Ok(Polytope::from_mesh(mesh, &mut Vec::new())?)
+}
+
+fn counts(polytope: &Polytope) -> Counts {
+    let counts = polytope.counts();
+    Counts { vertices: counts.vertices, edges: counts.edges, facets: counts.facets }
+}
