@@ -2,7 +2,8 @@
 
 /// A mistake that the code makes on purpose.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Fault {
+#[cfg_attr(not(feature = "faults"), expect(unreachable_pub, reason = "public with the feature only"))]
+pub enum Fault {
     /// The normal of the first crossing points inwards.
     FlippedNormal,
     /// An edge of the sum is left out.

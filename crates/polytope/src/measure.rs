@@ -27,7 +27,7 @@ impl Polytope {
                 weighted_mean(self.triangles().into_iter().map(|triangle| {
                     // Six times the volume of the tetrahedron from the first vertex.
                     let weight = determinant(&triangle.clone().map(|p| difference(&p, &apex)));
-                    (weight, [&triangle[..], &[apex.clone()]].concat())
+                    (weight, [&triangle[..], std::slice::from_ref(&apex)].concat())
                 }))
             }
             2 => {

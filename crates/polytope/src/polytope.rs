@@ -208,7 +208,8 @@ impl Polytope {
                 }
                 Self::from_convex_facets(points, &facets)
             }
-            2 => Self::polygon(points),
+            // In order around the front: a sum has its vertices in any order.
+            2 => Self::polygon(self.facet_cycle(FacetId(0)).map(|v| points[v.index()].clone()).collect()),
             1 => {
                 let [source, target] = <[Point3; 2]>::try_from(points).expect("a segment has two vertices");
                 Self::segment(source, target)

@@ -111,7 +111,7 @@ impl<'b> GaussianMap<'b> {
     /// The side of the great circle of `arc` on which `normal` lies: positive on its left.
     #[inline]
     pub(super) fn side(&self, normal: &Vector3, arc: HalfedgeId) -> Sign {
-        side(&self.edges, normal, arc)
+        side(self.edges, normal, arc)
     }
 
     /// Where the arc of `h` ends.
@@ -146,12 +146,14 @@ fn of_polygon(polytope: &Polytope) -> Parts<'_> {
     let given = polytope.vectors();
     let mut normals = given.normals.clone();
     for i in 0..n {
-        let h = HalfedgeId(2 * i);
+        // The halfedge on the front: the even one in a hull, either one in a sum.
+        let even = HalfedgeId(2 * i);
+        let h = if polytope.mesh.facet(even) == FacetId(0) { even } else { even.twin() };
         let (source, target) = (polytope.mesh.source(h).0, polytope.mesh.target(h).0);
         let digon = 2 + i;
         edges.push(Edge { source, target, left: 0, right: digon });
         edges.push(Edge { source, target, left: digon, right: 1 });
-        let vector = &given.edges[i as usize];
+        let vector = &polytope.edge_vector(h);
         vectors.extend([vector.clone(), vector.clone()]);
         normals.push(vector.cross(&given.normals[0]).primitive());
     }
