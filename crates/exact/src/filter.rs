@@ -56,6 +56,7 @@ pub struct Filtered {
 impl Filtered {
     /// Takes the float nearest to an integer; it may be infinite.
     #[inline(always)]
+    // tidy: pub f64, because the tiers start from the cached nearest float
     pub fn of_nearest(value: f64) -> Self {
         Self { value, magnitude: value.abs(), rounds: 1 }
     }

@@ -33,6 +33,7 @@ impl Interval {
 
     /// Encloses the integer that was rounded to the nearest `f64`, which may be infinite.
     #[inline]
+    // tidy: pub f64, because the tiers start from the cached nearest float
     pub fn of_nearest(value: f64) -> Self {
         if value.abs() < EXACT {
             // An integer of 2^53 or more rounds to 2^53 or more, so this one is the integer itself.
