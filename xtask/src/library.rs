@@ -37,6 +37,8 @@ pub(crate) struct Measured {
     pub(crate) sum: Counts,
     /// Median over the repetitions, from the parsed meshes to the finished result with exact coordinates.
     pub(crate) seconds: f64,
+    /// The fastest repetition: far below the median on a machine that is busy.
+    pub(crate) fastest: f64,
     /// Medians of its two parts: making the polytopes of the operands, and the sum.
     pub(crate) phases: [f64; 2],
     pub(crate) repetitions: usize,
@@ -66,10 +68,12 @@ pub(crate) fn measured_sum(paths: &[PathBuf], least: usize, budget: f64) -> Resu
         let end = Instant::now();
         times.push([built - begin, end - built].map(|time| time.as_secs_f64()));
         if times.len() >= least.max(1) && (start.elapsed().as_secs_f64() >= budget || times.len() == 20_000) {
+            let totals: Vec<f64> = times.iter().map(|[build, sum]| build + sum).collect();
             return Ok(Measured {
                 operands: polytopes.iter().map(counts).collect(),
                 sum: counts(&sum),
-                seconds: median(times.iter().map(|[build, sum]| build + sum).collect()),
+                fastest: totals.iter().copied().fold(f64::INFINITY, f64::min),
+                seconds: median(totals),
                 phases: [0, 1].map(|part| median(times.iter().map(|phases| phases[part]).collect())),
                 repetitions: times.len(),
             });

@@ -120,6 +120,7 @@ fn outcome(pair: &'static Pair, tools: &Tools) -> Result<Outcome, Failure> {
             "version": env!("CARGO_PKG_VERSION"),
             "repetitions": measured.repetitions,
             "seconds": measured.seconds,
+            "fastest": measured.fastest,
             "phases": { "polytopes": measured.phases[0], "sum": measured.phases[1] },
             "vertices": measured.sum.vertices,
             "edges": measured.sum.edges,

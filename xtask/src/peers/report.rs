@@ -27,6 +27,9 @@ pub(super) fn print(outcomes: &[Outcome]) {
             let times = run.seconds / outcome.ours.seconds;
             println!("  {name:<12} {:>12.6} s {times:>8.1} x   {}", run.seconds, found(run));
         }
+        if let Some(fastest) = outcome.ours.record["fastest"].as_f64() {
+            println!("  {:<12} {fastest:>12.6} s in its fastest repetition", "");
+        }
         for requirement in outcome.pair.requirements {
             let reached =
                 ratio(outcome, requirement.than).map_or("unknown".to_owned(), |ratio| format!("{ratio:.1}"));
