@@ -76,7 +76,7 @@ pub fn sign<P: Predicate>(predicate: &P) -> Sign {
     if class == Class::Narrow {
         return exact::<P, Narrow>(predicate, Stage::Narrow);
     }
-    // One copy of the filter for both cascades: two make the compiler spill.
+    // One copy of the filter for both cascades keeps the inlined code small.
     match filtered::<P, Float>(predicate, Stage::Float) {
         Some(sign) => sign,
         None if class == Class::Bounded => bounded(predicate),
