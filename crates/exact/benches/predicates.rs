@@ -9,8 +9,9 @@ use exact::{Integer, Point3, Sign, Vector3};
 use std::hint::black_box;
 use std::time::Instant;
 
-const INPUTS: usize = 256;
-const PASSES: u32 = 200;
+/// So many that the branch predictor does not learn the signs by heart.
+const INPUTS: usize = 4096;
+const PASSES: u32 = 20;
 
 /// splitmix64
 struct Random(u64);

@@ -106,10 +106,9 @@ impl Ring for Filtered {
     #[inline(always)]
     fn verdict(&self) -> Option<Sign> {
         let bound = f64::from(self.rounds + 1) * UNIT * self.magnitude;
-        if self.value > bound {
-            Some(Sign::Positive)
-        } else if self.value < -bound {
-            Some(Sign::Negative)
+        // The branch is on being decided, which is predictable; a branch on the sign is not.
+        if self.value.abs() > bound {
+            Some(if self.value > 0.0 { Sign::Positive } else { Sign::Negative })
         } else if self.magnitude == 0.0 {
             Some(Sign::Zero)
         } else {

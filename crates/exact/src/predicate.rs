@@ -72,34 +72,28 @@ pub fn sign<P: Predicate>(predicate: &P) -> Sign {
     if let Some(sign) = forced(predicate) {
         return sign;
     }
-    match predicate.class() {
-        Class::Narrow => exact::<P, Narrow>(predicate, Stage::Narrow),
-        Class::Bounded => bounded(predicate),
-        Class::Open => open(predicate),
+    let class = predicate.class();
+    if class == Class::Narrow {
+        return exact::<P, Narrow>(predicate, Stage::Narrow);
+    }
+    // One copy of the filter for both cascades keeps the inlined code small.
+    match filtered::<P, Float>(predicate, Stage::Float) {
+        Some(sign) => sign,
+        None if class == Class::Bounded => bounded(predicate),
+        None => open(predicate),
     }
 }
 
-/// The cascade of bounded input: filter, then fixed width.
-#[inline]
-fn bounded<P: Predicate>(predicate: &P) -> Sign {
-    filtered::<P, Float>(predicate, Stage::Float).unwrap_or_else(|| bounded_exact(predicate))
-}
-
-/// Kept out of line, so that the filter stays small where it is inlined.
+/// The cascade of bounded input, after the filter: fixed width. Kept out of line, so that the filter stays small where it is
+/// inlined.
 #[inline(never)]
-fn bounded_exact<P: Predicate>(predicate: &P) -> Sign {
+fn bounded<P: Predicate>(predicate: &P) -> Sign {
     exact::<P, Fixed>(predicate, Stage::Fixed)
 }
 
-/// The cascade of open input: filter, intervals, then big integers.
-#[inline]
-fn open<P: Predicate>(predicate: &P) -> Sign {
-    filtered::<P, Float>(predicate, Stage::Float).unwrap_or_else(|| open_exact(predicate))
-}
-
-/// The rest of that cascade, kept out of line.
+/// The cascade of open input, after the filter: intervals, then big integers.
 #[inline(never)]
-fn open_exact<P: Predicate>(predicate: &P) -> Sign {
+fn open<P: Predicate>(predicate: &P) -> Sign {
     filtered::<P, Boxes>(predicate, Stage::Interval).unwrap_or_else(|| exact::<P, Big>(predicate, Stage::Big))
 }
 
@@ -125,11 +119,11 @@ fn forced<P: Predicate>(predicate: &P) -> Option<Sign> {
         Start::Usual => return None,
         Start::Float => match filtered::<P, Float>(predicate, Stage::Float) {
             Some(sign) => sign,
-            None if is_open => open_exact(predicate),
-            None => bounded_exact(predicate),
+            None if is_open => open(predicate),
+            None => bounded(predicate),
         },
-        Start::Fixed if !is_open => bounded_exact(predicate),
-        Start::Interval => open_exact(predicate),
+        Start::Fixed if !is_open => bounded(predicate),
+        Start::Interval => open(predicate),
         Start::Fixed | Start::Big => exact::<P, Big>(predicate, Stage::Big),
     })
 }

@@ -76,7 +76,7 @@ impl Quaternion {
     /// [`ZeroAxis`] if the axis is zero.
     ///
     /// # Complexity
-    /// Some 100 microseconds.
+    /// Well below a millisecond.
     pub fn nearest(axis: [Rational; 3], degrees: Rational) -> Result<Self, ZeroAxis> {
         let mut axis = integer_axis(&axis).ok_or(ZeroAxis)?;
         let mut degrees = within_half_turn(degrees);

@@ -119,6 +119,7 @@ fn check_pair(p: &Point3, q: &Point3) {
 
 #[test]
 fn points_share_a_weight_if_all_stay_narrow() {
+    let scaled = |homogeneous: [i128; 4], factor| Point3::of_i128(homogeneous.map(|value| value * factor));
     let rows: [(&str, Vec<Point3>, Option<i64>); 8] = [
         ("none", vec![], None),
         ("equal already", vec![Point3::from_i64([1, 2, 3]), Point3::from_i64([4, 5, 6])], Some(1)),
@@ -127,10 +128,10 @@ fn points_share_a_weight_if_all_stay_narrow() {
             vec![point(["1/2", "0", "0"]), point(["1/3", "0", "0"]), point(["1/4", "5", "0"])],
             Some(12),
         ),
-        ("as they are", vec![Point3::of_i128([2, 4, 6, 8]), Point3::of_i128([3, 3, 3, 6])], Some(24)),
+        ("multiple as given", vec![Point3::of_i128([2, 4, 6, 8]), Point3::of_i128([3, 3, 3, 6])], Some(24)),
         (
-            "canonical where only these stay narrow",
-            vec![Point3::of_i128([1 << 60, 0, 0, 1 << 60]), Point3::of_i128([3, 3, 3, 6])],
+            "canonical where needed",
+            vec![scaled([1, 1, 1, 1], 1 << 58), scaled([1, 1, 1, 2], 3_i128.pow(36))],
             Some(2),
         ),
         ("wide weight", vec![point(["1e-10", "0", "0"]), point(["0", "1/1000000007", "0"])], None),
