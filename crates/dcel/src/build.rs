@@ -152,19 +152,39 @@ impl Mesh {
     /// Makes a mesh from edges that know their ends and the facets on both sides; edge `i` becomes
     /// the halfedges `2 i` (from its source, left facet) and `2 i + 1`.
     ///
-    /// The edges of a facet must form one cycle through distinct vertices; this is checked in debug
-    /// builds only.
+    /// # Panics
+    /// As [`from_halfedges`](Self::from_halfedges).
+    ///
+    /// # Complexity
+    /// Linear.
+    pub fn from_edges(vertices: usize, facets: usize, edges: &[Edge]) -> Self {
+        let sources = edges.iter().flat_map(|e| [VertexId(e.source), VertexId(e.target)]).collect();
+        let left = edges.iter().flat_map(|e| [FacetId(e.left), FacetId(e.right)]).collect();
+        Self::from_halfedges(vertices, facets, sources, left)
+    }
+
+    /// Makes a mesh from the source of every halfedge and the facet on its left; halfedges `2 i` and
+    /// `2 i + 1` are twins.
+    ///
+    /// The halfedges of a facet must form one cycle through distinct vertices; this is checked in
+    /// debug builds only.
     ///
     /// # Panics
-    /// If a vertex or facet is out of range or on no edge.
+    /// If the lists differ in length, or a vertex or facet is out of range, or a facet has no halfedge.
     ///
     /// # Complexity
     /// Linear: a counting sort by facet, and a table by vertex that links each facet's cycle.
-    pub fn from_edges(vertices: usize, facets: usize, edges: &[Edge]) -> Self {
-        let n = 2 * edges.len();
+    pub fn from_halfedges(
+        vertices: usize,
+        facets: usize,
+        source: Vec<VertexId>,
+        facet: Vec<FacetId>,
+    ) -> Self {
+        let n = source.len();
+        assert_eq!(n, facet.len(), "every halfedge has a source and a facet");
         let mut mesh = Self {
-            source: edges.iter().flat_map(|e| [VertexId(e.source), VertexId(e.target)]).collect(),
-            facet: edges.iter().flat_map(|e| [FacetId(e.left), FacetId(e.right)]).collect(),
+            source,
+            facet,
             next: vec![HalfedgeId(u32::MAX); n],
             prev: vec![HalfedgeId(u32::MAX); n],
             outgoing: vec![HalfedgeId(u32::MAX); vertices],

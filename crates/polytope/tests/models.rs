@@ -113,7 +113,8 @@ fn sums_of_the_maximal_family_have_the_greatest_number_of_facets() {
             let p = model(&format!("maxfacets/p{m}.off"));
             let q = model(&format!("maxfacets/p{n}_rot90y.off"));
             let facets = 4 * m * n + 26 - 9 * (m + n);
-            for sum in [minkowski_sum(&[&p, &q]), minkowski_sum(&[&q, &p]), minkowski_sum_by_hull(&[&p, &q])] {
+            for sum in [minkowski_sum(&[&p, &q]), minkowski_sum(&[&q, &p]), minkowski_sum_by_hull(&[&p, &q])]
+            {
                 assert_eq!(sum.counts().facets, facets, "{m} and {n}");
                 assert_eq!(sum.check_valid(), [], "{m} and {n}");
             }

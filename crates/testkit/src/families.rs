@@ -35,9 +35,7 @@ pub fn rational_circle(n: usize) -> Vec<[Rational; 2]> {
 
 /// The points of a polygon at a height.
 fn lifted(circle: &[[Rational; 2]], height: i64) -> impl Iterator<Item = Point3> + '_ {
-    circle
-        .iter()
-        .map(move |[x, y]| Point3::from_rationals(&[x.clone(), y.clone(), Rational::from(height)]))
+    circle.iter().map(move |[x, y]| Point3::from_rationals(&[x.clone(), y.clone(), Rational::from(height)]))
 }
 
 /// The prism over `n` points of the circle, from height 0 to `height`: 2n vertices, n + 2 facets.

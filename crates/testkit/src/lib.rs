@@ -22,11 +22,12 @@ mod random;
 
 pub use compare::{assert_same, difference, facet_planes, isomorphic};
 pub use families::{
-    antiprism, bipyramid, geodesic_sphere, prism, rational_circle, segment, spread_generators, zonotope_volume,
+    antiprism, bipyramid, geodesic_sphere, prism, rational_circle, segment, spread_generators,
+    zonotope_volume,
 };
 pub use hulls::{
-    around, collinear_points, flat_points, hull, hull_of_dimension, mixed_width_hull, points_in_box, random_hull,
-    weighted_hull, wide_hull,
+    around, collinear_points, flat_points, hull, hull_of_dimension, mixed_width_hull, points_in_box,
+    random_hull, weighted_hull, wide_hull,
 };
 pub use meshes::{cube_mesh, fan_triangulated, mesh, soup, stl_like_mesh};
 pub use models::{SumRow, expected, model, model_mesh, model_names, repository};

@@ -38,7 +38,8 @@ pub fn model(path: &str) -> Polytope {
 /// # Panics
 /// If the file is missing or is not JSON.
 pub fn expected() -> Value {
-    let bytes = std::fs::read(repository().join("models/expected.json")).expect("models/expected.json is there");
+    let bytes =
+        std::fs::read(repository().join("models/expected.json")).expect("models/expected.json is there");
     serde_json::from_slice(&bytes).expect("models/expected.json is JSON")
 }
 

@@ -49,7 +49,7 @@ pub fn scaling(numerator: i64, denominator: i64) -> Affine3 {
 /// # Panics
 /// If `denominator` is zero.
 pub fn translation(numerators: [i64; 3], denominator: i64) -> Affine3 {
-    let vector = numerators
-        .map(|n| Rational::new(n.into(), denominator.into()).expect("a denominator is not zero"));
+    let vector =
+        numerators.map(|n| Rational::new(n.into(), denominator.into()).expect("a denominator is not zero"));
     Affine3::translation(&vector)
 }

@@ -5,20 +5,35 @@
 //! overlay, and each piece of a walk knows all four neighbours of one: so the mesh follows from the
 //! list of pieces by counting sorts, without looking for anything.
 
-use super::Cells;
 use super::map::GaussianMap;
 use super::trace::{Kind, Node, Place, Trace};
 use crate::Polytope;
 use crate::fault::{Fault, injected};
 use crate::vectors::{EdgeOrigin, FacetOrigin, LazyVectors, Origins, Vectors};
-use dcel::{Edge, HalfedgeId, Mesh};
+use dcel::{FacetId, HalfedgeId, Mesh, VertexId};
 use exact::{Point3, share_weight};
 use std::sync::Arc;
+
+/// The edges and facets of the sum while they are collected.
+struct Cells {
+    /// The facet on the left of each halfedge; two halfedges an edge.
+    left: Vec<FacetId>,
+    /// Where each edge comes from.
+    edges: Vec<EdgeOrigin>,
+    /// Where each facet comes from.
+    facets: Vec<FacetOrigin>,
+}
+
+/// A vertex of the sum as the source of a halfedge.
+struct Corner {
+    red: u32,
+    blue: u32,
+}
 
 /// Joins the walk of red through blue with that of blue through red.
 pub(super) fn assemble(
     [red, blue]: [&GaussianMap<'_>; 2],
-    [in_blue, in_red]: [&Trace; 2],
+    [in_blue, in_red]: [Trace; 2],
     summands: [Arc<Vectors>; 2],
 ) -> Polytope {
     // Facets: the red ones, the blue ones that are not red too, the crossings.
@@ -48,21 +63,23 @@ pub(super) fn assemble(
     {
         *b = b.twin();
     }
-    let same_crossing = match_crossings(red.mesh.edge_count(), blue.mesh.edge_count(), in_blue, in_red);
+    let same_crossing = match_crossings([red, blue], [&in_blue, &in_red]);
 
-    // The pairs of vertices on the left and on the right of each piece, and the facets at its ends.
+    // Each piece has a facet at its ends, and a vertex on its left (the target of the edge) and on its
+    // right (the source).
     let pieces = in_blue.pieces.len() + in_red.pieces.len();
-    let mut pairs: Vec<[u32; 2]> = Vec::with_capacity(2 * pieces);
-    let mut cells = Cells { edges: Vec::with_capacity(pieces), origins: Vec::with_capacity(pieces), facets };
+    let mut corners: Vec<Corner> = Vec::with_capacity(2 * pieces);
+    let mut cells = Cells { left: Vec::with_capacity(2 * pieces), edges: Vec::with_capacity(pieces), facets };
     for piece in &in_blue.pieces {
         let facet = |node: Node| match node.kind() {
             Kind::Red(f) => f,
             Kind::Blue(m) => blue_facet[m as usize],
             Kind::Crossing(c) => first_crossing + c,
         };
-        let (target, source) = (red.mesh.target(piece.arc).0, red.mesh.source(piece.arc).0);
-        pairs.extend([[target, piece.blue[0].0], [source, piece.blue[1].0]]);
-        cells.push(facet(piece.from), facet(piece.to), 0, piece.arc);
+        let [left, right] = piece.blue.map(|w| w.0);
+        corners.push(Corner { red: red.mesh.source(piece.arc).0, blue: right });
+        corners.push(Corner { red: red.mesh.target(piece.arc).0, blue: left });
+        cells.push([piece.from, piece.to].map(facet), 0, piece.arc);
     }
     for piece in &in_red.pieces {
         if piece.blue[0] != piece.blue[1] {
@@ -73,32 +90,33 @@ pub(super) fn assemble(
             Kind::Blue(f) => f,
             Kind::Crossing(c) => first_crossing + same_crossing[c as usize],
         };
-        let (target, source) = (blue.mesh.target(piece.arc).0, blue.mesh.source(piece.arc).0);
         let v = piece.blue[0].0;
-        pairs.extend([[v, target], [v, source]]);
-        cells.push(facet(piece.from), facet(piece.to), 1, piece.arc);
+        corners.push(Corner { red: v, blue: blue.mesh.source(piece.arc).0 });
+        corners.push(Corner { red: v, blue: blue.mesh.target(piece.arc).0 });
+        cells.push([piece.from, piece.to].map(facet), 1, piece.arc);
     }
-
+    drop([in_blue, in_red]);
     if injected(Fault::DroppedEdge) {
         cells.edges.pop();
-        cells.origins.pop();
-        pairs.truncate(2 * cells.edges.len());
+        cells.left.truncate(2 * cells.edges.len());
+        corners.truncate(2 * cells.edges.len());
     }
-    let points = number_pairs(red, blue, &pairs, &mut cells.edges);
-    finish(points, cells, summands)
+    let (points, sources) = number_corners(red, blue, corners);
+    finish(points, sources, cells, summands)
 }
 
 impl Cells {
-    /// Adds the edge between two facets; its ends are numbered later.
+    /// Adds the edge with the two facets on its left and on its right.
     #[inline]
-    fn push(&mut self, left: u32, right: u32, summand: u8, halfedge: HalfedgeId) {
-        self.edges.push(Edge { source: 0, target: 0, left, right });
-        self.origins.push(EdgeOrigin { summand, halfedge });
+    fn push(&mut self, sides: [u32; 2], summand: u8, halfedge: HalfedgeId) {
+        self.left.extend(sides.map(FacetId));
+        self.edges.push(EdgeOrigin { summand, halfedge });
     }
 }
 
 /// For each crossing of the second walk its index in the first: two arcs cross at most once.
-fn match_crossings(red_edges: usize, blue_edges: usize, in_blue: &Trace, in_red: &Trace) -> Vec<u32> {
+fn match_crossings([red, blue]: [&GaussianMap<'_>; 2], [in_blue, in_red]: [&Trace; 2]) -> Vec<u32> {
+    let (red_edges, blue_edges) = (red.mesh.edge_count(), blue.mesh.edge_count());
     assert_eq!(in_blue.crossings.len(), in_red.crossings.len(), "both walks meet the same crossings");
     // The second walk's crossings by red edge. There, "red" is the map that walks: our blue one.
     let mut starts = vec![0u32; red_edges + 1];
@@ -132,123 +150,108 @@ fn match_crossings(red_edges: usize, blue_edges: usize, in_blue: &Trace, in_red:
     same
 }
 
-/// Numbers the distinct pairs, in the order of their red and then the first use of their blue vertex,
-/// sets the ends of the edges (the pair on the left of an overlay edge is the target of the edge), and
-/// gives the points.
-fn number_pairs(
+/// Numbers the vertices of the sum, in the order of their red and then the first use of their blue
+/// vertex; gives their points, and the vertex at each corner.
+fn number_corners(
     red: &GaussianMap<'_>,
     blue: &GaussianMap<'_>,
-    pairs: &[[u32; 2]],
-    edges: &mut [Edge],
-) -> Vec<Point3> {
+    corners: Vec<Corner>,
+) -> (Vec<Point3>, Vec<VertexId>) {
     let vertices = red.mesh.vertex_count();
     let mut starts = vec![0u32; vertices + 1];
-    for [v, _] in pairs {
-        starts[*v as usize + 1] += 1;
+    for corner in &corners {
+        starts[corner.red as usize] += 1;
     }
-    for v in 0..vertices {
-        starts[v + 1] += starts[v];
+    let mut sum = 0;
+    for start in &mut starts {
+        sum += *start;
+        *start = sum; // the end of each group, which filling from the back moves to its start
     }
-    let mut by_red = vec![[0u32; 2]; pairs.len()];
-    let mut fill = starts.clone();
-    for (i, [v, w]) in pairs.iter().enumerate() {
-        let slot = &mut fill[*v as usize];
-        by_red[*slot as usize] = [i as u32, *w];
-        *slot += 1;
+    let mut by_red = vec![[0u32; 2]; corners.len()];
+    for (i, corner) in corners.iter().enumerate().rev() {
+        let slot = &mut starts[corner.red as usize];
+        *slot -= 1;
+        by_red[*slot as usize] = [i as u32, corner.blue];
     }
+    let mut sources = vec![VertexId(u32::MAX); corners.len()];
+    drop(corners);
     // Over one weight, if it stays narrow, a sum of points is a sum of integers.
     let mut summands = [red.points, blue.points].concat();
     share_weight(&mut summands);
     let (red_points, blue_points) = summands.split_at(red.points.len());
-    let mut points: Vec<Point3> = Vec::with_capacity(pairs.len() / 4);
+    let mut points: Vec<Point3> = Vec::with_capacity(by_red.len() / 4);
     let mut number = vec![(u32::MAX, 0); blue.mesh.vertex_count()];
-    for v in 0..vertices {
-        for &[i, w] in &by_red[starts[v] as usize..starts[v + 1] as usize] {
+    for (v, group) in starts.windows(2).enumerate() {
+        for &[i, w] in &by_red[group[0] as usize..group[1] as usize] {
             let slot = &mut number[w as usize];
             if slot.0 != v as u32 {
                 *slot = (v as u32, points.len() as u32);
                 let w = if injected(Fault::WrongVertex) && v == 0 { 0 } else { w };
                 points.push(red_points[v].plus(&blue_points[w as usize]));
             }
-            let edge = &mut edges[i as usize / 2];
-            *(if i % 2 == 0 { &mut edge.target } else { &mut edge.source }) = slot.1;
+            sources[i as usize] = VertexId(slot.1);
         }
     }
-    points
+    (points, sources)
 }
 
 /// Takes out the digons and makes the polytope.
-fn finish(points: Vec<Point3>, mut cells: Cells, summands: [Arc<Vectors>; 2]) -> Polytope {
-    let mut facets = cells.facets.len();
+fn finish(
+    points: Vec<Point3>,
+    sources: Vec<VertexId>,
+    cells: Cells,
+    summands: [Arc<Vectors>; 2],
+) -> Polytope {
+    let facets = cells.facets.len();
     debug_assert_eq!(points.len() + facets, cells.edges.len() + 2, "the overlay subdivides a sphere");
     let mut degree = vec![0u32; facets];
-    for edge in &cells.edges {
-        degree[edge.left as usize] += 1;
-        degree[edge.right as usize] += 1;
+    for f in &cells.left {
+        degree[f.index()] += 1;
     }
-    if degree.contains(&2) && !injected(Fault::SkippedDigons) {
-        facets = merge_digons(&mut cells, &degree);
-    }
-    let mesh = Mesh::from_edges(points.len(), facets, &cells.edges);
+    let digons = degree.contains(&2) && !injected(Fault::SkippedDigons);
+    let (sources, cells) = if digons { merge_digons(&sources, &cells, &degree) } else { (sources, cells) };
+    let facets = cells.facets.len();
+    let mesh = Mesh::from_halfedges(points.len(), facets, sources, cells.left);
     let dimension = if facets == 2 { 2 } else { 3 };
-    let origins = Origins { summands, edges: cells.origins, facets: cells.facets };
+    let origins = Origins { summands, edges: cells.edges, facets: cells.facets };
     Polytope { dimension, points, mesh, vectors: LazyVectors::inherited(origins) }
 }
 
-/// Replaces every chain of edges separated by digons by one edge, drops the digons, and returns the
-/// number of facets left.
-fn merge_digons(cells: &mut Cells, degree: &[u32]) -> usize {
-    let digon = |f: u32| degree[f as usize] == 2;
-    let mut number = Vec::with_capacity(degree.len());
-    let mut kept = 0;
-    for f in 0..degree.len() {
-        number.push(kept);
-        kept += u32::from(!digon(f as u32));
+/// Replaces every chain of edges separated by digons by one edge, and drops the digons.
+fn merge_digons(sources: &[VertexId], cells: &Cells, degree: &[u32]) -> (Vec<VertexId>, Cells) {
+    let is_digon = |f: FacetId| degree[f.index()] == 2;
+    let mut merged = Cells { left: Vec::new(), edges: Vec::new(), facets: Vec::new() };
+    let mut number = vec![FacetId(u32::MAX); degree.len()];
+    for (f, origin) in cells.facets.iter().enumerate().filter(|(f, _)| degree[*f] != 2) {
+        number[f] = FacetId::new(merged.facets.len());
+        merged.facets.push(*origin);
     }
-    // The two edges of each digon.
+    // The two halfedges of each digon.
     let mut of_digon = vec![[u32::MAX; 2]; degree.len()];
-    for (e, edge) in cells.edges.iter().enumerate() {
-        for f in [edge.left, edge.right] {
-            if digon(f) {
-                let slots = &mut of_digon[f as usize];
-                slots[usize::from(slots[0] != u32::MAX)] = e as u32;
-            }
-        }
+    for (h, f) in cells.left.iter().enumerate().filter(|(_, f)| is_digon(**f)) {
+        let slots = &mut of_digon[f.index()];
+        slots[usize::from(slots[0] != u32::MAX)] = h as u32;
     }
     let mut seen = vec![false; cells.edges.len()];
-    let mut edges = Vec::with_capacity(cells.edges.len());
-    let mut origins = Vec::with_capacity(cells.edges.len());
-    for (e, edge) in cells.edges.iter().enumerate() {
-        // A chain starts at a facet that stays; it is seen so that it lies on the left.
-        let reversed = Edge { source: edge.target, target: edge.source, left: edge.right, right: edge.left };
-        let (first, origin) = match (digon(edge.left), digon(edge.right)) {
-            (false, _) => (*edge, cells.origins[e]),
-            (true, false) => {
-                let EdgeOrigin { summand, halfedge } = cells.origins[e];
-                (reversed, EdgeOrigin { summand, halfedge: halfedge.twin() })
-            }
-            (true, true) => continue,
-        };
-        if std::mem::replace(&mut seen[e], true) {
+    let mut new_sources = Vec::new();
+    for h in (0..cells.left.len()).map(HalfedgeId::new) {
+        // A chain starts at a facet that stays, and is walked across its digons to the next such facet.
+        if is_digon(cells.left[h.index()]) || seen[h.edge()] {
             continue;
         }
-        let (mut right, mut last) = (first.right, e);
-        while digon(right) {
-            let [a, b] = of_digon[right as usize];
-            last = if a as usize == last { b } else { a } as usize;
-            seen[last] = true;
-            let next = &cells.edges[last];
-            right = if next.left == right { next.right } else { next.left };
+        let mut last = h;
+        seen[h.edge()] = true;
+        while is_digon(cells.left[last.twin().index()]) {
+            let [a, b] = of_digon[cells.left[last.twin().index()].index()];
+            last = HalfedgeId(if a == last.twin().0 { b } else { a });
+            seen[last.edge()] = true;
         }
-        edges.push(Edge { left: number[first.left as usize], right: number[right as usize], ..first });
-        origins.push(origin);
+        let sides = [cells.left[h.index()], cells.left[last.twin().index()]];
+        merged.left.extend(sides.map(|f| number[f.index()]));
+        new_sources.extend([sources[h.index()], sources[h.twin().index()]]);
+        let EdgeOrigin { summand, halfedge } = cells.edges[h.edge()];
+        let halfedge = if h.0 & 1 == 0 { halfedge } else { halfedge.twin() };
+        merged.edges.push(EdgeOrigin { summand, halfedge });
     }
-    let mut f = 0;
-    cells.facets.retain(|_| {
-        f += 1;
-        !digon(f as u32 - 1)
-    });
-    cells.edges = edges;
-    cells.origins = origins;
-    kept as usize
+    (new_sources, merged)
 }

@@ -17,8 +17,6 @@ mod map;
 mod trace;
 
 use crate::Polytope;
-use crate::vectors::{EdgeOrigin, FacetOrigin};
-use dcel::Edge;
 
 /// How the arcs of two Gaussian maps meet: what degeneracies a sum has met.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -49,12 +47,5 @@ pub(crate) fn sum(p: &Polytope, q: &Polytope) -> (Polytope, OverlayCounts) {
         arcs_through_normals: in_blue.counts.arcs_through_normals + in_red.counts.arcs_through_normals,
     };
     let summands = [p.vectors.clone(), q.vectors.clone()];
-    (assemble::assemble([&red, &blue], [&in_blue, &in_red], summands), counts)
-}
-
-/// The parts of the sum before its vertices have coordinates.
-struct Cells {
-    edges: Vec<Edge>,
-    origins: Vec<EdgeOrigin>,
-    facets: Vec<FacetOrigin>,
+    (assemble::assemble([&red, &blue], [in_blue, in_red], summands), counts)
 }

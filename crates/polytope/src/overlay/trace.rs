@@ -101,9 +101,9 @@ pub(super) struct Chord {
     arc: HalfedgeId,
     /// The first corner of the face, counterclockwise, that is no longer on the right of the circle
     /// ahead of the vertex.
-    exit: usize,
+    exit: u32,
     /// The first corner that is no longer on its left, behind the vertex.
-    entry: usize,
+    entry: u32,
 }
 
 /// What the walk found.
@@ -235,7 +235,10 @@ impl Walk<'_> {
                         {
                             let entry = self.entry(r, target, &heading);
                             self.piece(r, from, Node::new(Kind::Red(end.0)), [w, w]);
-                            return Place::Face(w, Some(Chord { arc: r, exit, entry }));
+                            return Place::Face(
+                                w,
+                                Some(Chord { arc: r, exit: exit as u32, entry: entry as u32 }),
+                            );
                         }
                         Sign::Zero => {
                             self.piece(r, from, Node::new(Kind::Red(end.0)), [w, w]);
@@ -351,7 +354,7 @@ impl Walk<'_> {
                     Turn::Left => first_between(ring, chord.exit, chord.entry, not_right),
                     Turn::Right => first_between(ring, chord.entry, chord.exit, not_right),
                     straight => {
-                        let exit = if straight == Turn::Straight { chord.exit } else { chord.entry };
+                        let exit = if straight == Turn::Straight { chord.exit } else { chord.entry } as usize;
                         on_circle = self.corner_side(r, ring[exit]) == Sign::Zero;
                         exit
                     }
@@ -377,8 +380,8 @@ impl Walk<'_> {
                 match self.turn(r, target, chord) {
                     Turn::Left => first_between(ring, chord.entry, chord.exit, not_left),
                     Turn::Right => first_between(ring, chord.exit, chord.entry, not_left),
-                    Turn::Straight => chord.entry,
-                    Turn::Back => chord.exit,
+                    Turn::Straight => chord.entry as usize,
+                    Turn::Back => chord.exit as usize,
                 }
             }
             Heading::Along(_) => unreachable!("an arc along another one is not inside a face"),
@@ -398,7 +401,7 @@ impl Walk<'_> {
         let exit = find(right, &|s| s != Sign::Negative);
         let left = find(exit, &|s| s == Sign::Positive);
         let entry = find(left, &|s| s != Sign::Positive);
-        Chord { arc: r, exit: exit % ring.len(), entry: entry % ring.len() }
+        Chord { arc: r, exit: (exit % ring.len()) as u32, entry: (entry % ring.len()) as u32 }
     }
 
     /// How the arc `r` goes on from the circle of the chord of its start.
@@ -454,10 +457,11 @@ fn first_where(
 #[inline]
 fn first_between(
     ring: &[HalfedgeId],
-    first: usize,
-    last: usize,
+    first: u32,
+    last: u32,
     condition: impl FnMut(HalfedgeId) -> bool,
 ) -> usize {
+    let (first, last) = (first as usize, last as usize);
     let steps = if last >= first { last - first } else { last + ring.len() - first };
     first_where(ring, first, steps, condition)
 }
