@@ -33,6 +33,7 @@
 //! assert_eq!(sign(&Turn([&x, &y, &y, &z])), Sign::Zero);
 //! ```
 
+use crate::filter::Filtered;
 use crate::stage::{Stage, count};
 use crate::tier::{Big, Boxes, Fixed, Float, Narrow, Ring, Tier};
 use crate::{Point3, Sign, Vector3, Width};
@@ -283,6 +284,35 @@ fn no_wide<const N: usize>(vectors: [&Vector3; N]) -> Class {
 #[inline]
 pub fn side_of_circle(normal: &Vector3, edge: &Vector3) -> Sign {
     sign_of_dot(normal, edge)
+}
+
+/// The cached floats of a vector, apart from it: what [`side_of_floats`] reads.
+///
+/// An algorithm that asks for the sides of many vectors in no order keeps them in an array of its own, a third as large as the
+/// vectors, so that it waits for less memory.
+#[derive(Clone, Copy, Debug)]
+pub struct Floats3([f64; 3]);
+
+impl Floats3 {
+    /// Takes the floats of a vector.
+    #[inline]
+    pub fn of(vector: &Vector3) -> Self {
+        Self(vector.approx_f64())
+    }
+}
+
+/// The filter of [`side_of_circle`] alone: the exact sign, or `None` where the floats cannot tell; then ask with the vectors.
+#[inline]
+pub fn side_of_floats(normal: &Floats3, edge: &Floats3) -> Option<Sign> {
+    #[cfg(any(test, feature = "force-tiers"))]
+    if !matches!(crate::stage::start(), crate::stage::Start::Usual | crate::stage::Start::Float) {
+        return None;
+    }
+    let verdict = dot(normal.0.map(Filtered::of_nearest), edge.0.map(Filtered::of_nearest)).verdict();
+    if verdict.is_some() {
+        count(Stage::Float);
+    }
+    verdict
 }
 
 /// Tells how three edge vectors are oriented: the sign of their determinant.

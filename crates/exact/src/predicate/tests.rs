@@ -30,6 +30,9 @@ fn compare_all(random: &mut Random, bits: u32, other_bits: u32, kind: Kind) {
     assert_eq!(orientation(&b, &a, &c), -integer_det([&a, &b, &c]), "det {b} {a} {c}");
     let normal = a.cross(&b);
     assert_eq!(side_of_circle(&normal, &c), integer_dot(&normal, &c), "side {normal} {c}");
+    if let Some(sign) = side_of_floats(&Floats3::of(&normal), &Floats3::of(&c)) {
+        assert_eq!(sign, integer_dot(&normal, &c), "floats {normal} {c}");
+    }
     let other = random.vector(other_bits);
     assert_eq!(side_of_circle(&normal, &other), integer_dot(&normal, &other), "side {normal} {other}");
     assert_eq!(same_direction(&a, &other), integer_dot(&a, &other), "dot {a} {other}");

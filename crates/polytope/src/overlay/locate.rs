@@ -1,18 +1,18 @@
 //! Finding one direction in a Gaussian map: where a walk starts.
 
-use super::map::GaussianMap;
+use super::map::{GaussianMap, Normal};
 use super::trace::Place;
 use dcel::VertexId;
-use exact::{Sign, Vector3, predicate};
+use exact::{Sign, predicate};
 
 /// The place of the direction `normal` in the map.
 ///
 /// # Complexity
 /// Linear in the number of vertices of the polytope.
-pub(super) fn locate(map: &GaussianMap<'_>, normal: &Vector3) -> Place {
+pub(super) fn locate(map: &GaussianMap<'_>, normal: Normal<'_>) -> Place {
     let mut extreme = 0;
     for v in 1..map.points.len() {
-        if predicate::plane_side(normal, &map.points[extreme], &map.points[v]) == Sign::Positive {
+        if predicate::plane_side(normal.exact, &map.points[extreme], &map.points[v]) == Sign::Positive {
             extreme = v;
         }
     }

@@ -16,10 +16,10 @@
 //! sum takes them out again.
 
 use crate::Polytope;
-use crate::polytope::side;
 use crate::vectors::Vectors;
 use dcel::{Edge, FacetId, HalfedgeId, Mesh, VertexId};
-use exact::{Integer, Point3, Sign, Vector3, predicate};
+use exact::predicate::{self, Floats3};
+use exact::{Integer, Point3, Sign, Vector3};
 use std::borrow::Cow;
 use std::sync::Arc;
 
@@ -43,12 +43,22 @@ impl<'p> Boundary<'p> {
     }
 }
 
+/// A normal as the walk uses it.
+#[derive(Clone, Copy)]
+pub(super) struct Normal<'b> {
+    floats: Floats3,
+    pub(super) exact: &'b Vector3,
+}
+
 /// A Gaussian map whose arcs are all shorter than a half circle.
 pub(super) struct GaussianMap<'b> {
     pub(super) points: &'b [Point3],
     pub(super) mesh: &'b Mesh,
     pub(super) edges: &'b [Vector3],
     pub(super) normals: &'b [Vector3],
+    /// Their floats, close together: nearly all that the walk reads of them.
+    edge_floats: Vec<Floats3>,
+    normal_floats: Vec<Floats3>,
     /// The halfedges into each vertex, counterclockwise around its face of the map.
     ring: Vec<HalfedgeId>,
     ring_starts: Vec<u32>,
@@ -68,6 +78,8 @@ impl<'b> GaussianMap<'b> {
             mesh,
             edges: &boundary.vectors.edges,
             normals: &boundary.vectors.normals,
+            edge_floats: boundary.vectors.edges.iter().map(Floats3::of).collect(),
+            normal_floats: boundary.vectors.normals.iter().map(Floats3::of).collect(),
             ring: Vec::with_capacity(mesh.halfedge_count()),
             ring_starts: Vec::with_capacity(mesh.vertex_count() + 1),
             ring_position: vec![0; mesh.halfedge_count()],
@@ -104,14 +116,17 @@ impl<'b> GaussianMap<'b> {
     }
 
     #[inline]
-    pub(super) fn normal(&self, f: FacetId) -> &Vector3 {
-        &self.normals[f.index()]
+    pub(super) fn normal(&self, f: FacetId) -> Normal<'b> {
+        Normal { floats: self.normal_floats[f.index()], exact: &self.normals[f.index()] }
     }
 
     /// The side of the great circle of `arc` on which `normal` lies: positive on its left.
     #[inline]
-    pub(super) fn side(&self, normal: &Vector3, arc: HalfedgeId) -> Sign {
-        side(self.edges, normal, arc)
+    pub(super) fn side(&self, normal: Normal<'_>, arc: HalfedgeId) -> Sign {
+        let edge = arc.edge();
+        let sign = predicate::side_of_floats(&normal.floats, &self.edge_floats[edge])
+            .unwrap_or_else(|| predicate::side_of_circle(normal.exact, &self.edges[edge]));
+        if arc.0 & 1 == 0 { sign } else { -sign }
     }
 
     /// Where the arc of `h` ends.
@@ -122,8 +137,8 @@ impl<'b> GaussianMap<'b> {
 
     /// For two directions `a` and `b` on the great circle of `arc`: positive if `b` comes after `a`
     /// by less than a half circle, zero if they are the same or opposite.
-    pub(super) fn order_on(&self, arc: HalfedgeId, a: &Vector3, b: &Vector3) -> Sign {
-        let sign = predicate::circle_order(&self.edges[arc.edge()], a, b);
+    pub(super) fn order_on(&self, arc: HalfedgeId, a: Normal<'_>, b: Normal<'_>) -> Sign {
+        let sign = predicate::circle_order(&self.edges[arc.edge()], a.exact, b.exact);
         if arc.0 & 1 == 0 { sign } else { -sign }
     }
 }

@@ -18,10 +18,10 @@
 //! the face: the arcs that leave that vertex search between these two places.
 
 use super::OverlayCounts;
-use super::map::{GaussianMap, same_turn};
+use super::map::{GaussianMap, Normal, same_turn};
 use crate::fault::{Fault, injected};
 use dcel::{FacetId, HalfedgeId, VertexId};
-use exact::{Sign, Vector3};
+use exact::Sign;
 
 /// A vertex of the overlay, as one trace sees it: a [`Kind`] in four bytes.
 #[derive(Clone, Copy, Debug)]
@@ -291,7 +291,7 @@ impl Walk<'_> {
     }
 
     /// From a point in the interior of the blue arc `b`.
-    fn leave_arc(&self, r: HalfedgeId, target: &Vector3, b: HalfedgeId) -> Heading {
+    fn leave_arc(&self, r: HalfedgeId, target: Normal<'_>, b: HalfedgeId) -> Heading {
         match self.blue.side(target, b) {
             Sign::Positive => self.enter_left_of(b),
             Sign::Negative => self.enter_right_of(b),
@@ -303,7 +303,7 @@ impl Walk<'_> {
     /// From the blue vertex of which `first` is one of the leaving arcs: looks through the sectors
     /// counterclockwise from there. Also gives the arc where the search ended, which is where the
     /// search for the next red arc counterclockwise starts.
-    fn leave_vertex(&self, r: HalfedgeId, target: &Vector3, first: HalfedgeId) -> (Heading, HalfedgeId) {
+    fn leave_vertex(&self, r: HalfedgeId, target: Normal<'_>, first: HalfedgeId) -> (Heading, HalfedgeId) {
         let blue = self.blue;
         let mut b = first;
         let mut side = blue.side(target, b);
@@ -322,7 +322,7 @@ impl Walk<'_> {
 
     /// For a direction on the circle of `b` ahead of its start: positive if it comes before the end of
     /// `b`, zero at the end, negative beyond.
-    fn before_end_of(&self, b: HalfedgeId, target: &Vector3) -> Sign {
+    fn before_end_of(&self, b: HalfedgeId, target: Normal<'_>) -> Sign {
         let blue = self.blue;
         let after = blue.mesh.prev(b.twin());
         if blue.mesh.next(b.twin()) == after {
@@ -334,7 +334,7 @@ impl Walk<'_> {
 
     /// The ring index of the first corner that is no longer on the right of the red circle, ahead; and
     /// whether it is on the circle.
-    fn exit(&self, r: HalfedgeId, target: &Vector3, heading: &Heading) -> (usize, bool) {
+    fn exit(&self, r: HalfedgeId, target: Normal<'_>, heading: &Heading) -> (usize, bool) {
         // The search ends at the exit: a corner on the circle is the exit. It is not on the circle where
         // the search runs out of corners without looking at the last one, the entry.
         let mut on_circle = false;
@@ -366,7 +366,7 @@ impl Walk<'_> {
     }
 
     /// The ring index of the first corner that is no longer on the left of the red circle, behind.
-    fn entry(&self, r: HalfedgeId, target: &Vector3, heading: &Heading) -> usize {
+    fn entry(&self, r: HalfedgeId, target: Normal<'_>, heading: &Heading) -> usize {
         let not_left = |corner| self.corner_side(r, corner) != Sign::Positive;
         match *heading {
             Heading::Into(w, first) => {
@@ -405,7 +405,7 @@ impl Walk<'_> {
     }
 
     /// How the arc `r` goes on from the circle of the chord of its start.
-    fn turn(&self, r: HalfedgeId, target: &Vector3, chord: Chord) -> Turn {
+    fn turn(&self, r: HalfedgeId, target: Normal<'_>, chord: Chord) -> Turn {
         match self.red.side(target, chord.arc) {
             Sign::Positive => Turn::Left,
             Sign::Negative => Turn::Right,
