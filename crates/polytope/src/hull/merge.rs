@@ -3,11 +3,13 @@
 use super::quickhull::{Surface, next};
 use crate::facets::Facets;
 
-/// Joins neighbouring triangles of one plane, and returns the boundaries of the facets without vertices inside edges.
+/// Joins neighbouring triangles of one plane, and returns the boundaries of the facets without vertices
+/// inside edges.
 ///
-/// No arithmetic: a facet of a convex surface is connected, so its triangles are those reached over flat edges. A vertex on the boundary of a facet is
-/// inside an edge of it if the boundary has the same other facet before and behind the vertex: both pieces then lie on
-/// the line where the two planes meet. At an extreme point they are different.
+/// No arithmetic: a facet of a convex surface is connected, so its triangles are those reached over flat
+/// edges. A vertex on the boundary of a facet is inside an edge of it if the boundary has the same other
+/// facet before and behind the vertex: both pieces then lie on the line where the two planes meet. At an
+/// extreme point they are different.
 ///
 /// # Complexity
 /// Linear in the number of triangles.
@@ -40,8 +42,8 @@ pub(super) fn facets(surface: &Surface) -> Facets {
     facets
 }
 
-/// Returns the boundary halfedge that follows `h`. Around its vertex each flat edge of the facet is passed once, so that
-/// a whole boundary costs no more than the facet has triangles.
+/// Returns the boundary halfedge that follows `h`. Around its vertex each flat edge of the facet is passed
+/// once, so that a whole boundary costs no more than the facet has triangles.
 fn next_on_boundary(surface: &Surface, h: u32) -> u32 {
     let mut g = next(h);
     while surface.is_flat[g as usize] {

@@ -21,16 +21,20 @@ pub(super) fn segment(sites: &Sites<'_>) -> [u32; 2] {
     ends
 }
 
-/// Returns the vertices of the hull of coplanar points that are not all collinear, counterclockwise for `normal`.
+/// Returns the vertices of the hull of coplanar points that are not all collinear, counterclockwise for
+/// `normal`.
 ///
-/// Andrew's chain, in lexicographic order of all three coordinates. In a plane this is the lexicographic order for two
-/// independent coordinates of the plane, whatever its position, and that is all the chain needs.
+/// Andrew's chain, in lexicographic order of all three coordinates. In a plane this is the lexicographic
+/// order for two independent coordinates of the plane, whatever its position, and that is all the chain
+/// needs.
 ///
 /// # Complexity
-/// O(n log n) comparisons, O(n) orientations; an orientation is one coordinate of a cross product of two edges.
+/// O(n log n) comparisons, O(n) orientations; an orientation is one coordinate of a cross product of two
+/// edges.
 pub(super) fn polygon(sites: &Sites<'_>, normal: &Vector3) -> Vec<u32> {
     let at = |p: u32| &sites.points[p as usize];
-    // The projection along this axis is one-to-one on the plane, and the sign says whether it keeps the orientation.
+    // The projection along this axis is one-to-one on the plane, and the sign says whether it keeps the
+    // orientation.
     let (axis, up) = (0..3)
         .map(|axis| (axis, normal.coordinate(axis).sign()))
         .find(|&(_, sign)| sign != Sign::Zero)
@@ -41,6 +45,7 @@ pub(super) fn polygon(sites: &Sites<'_>, normal: &Vector3) -> Vec<u32> {
 
     let mut order = sites.distinct.clone();
     order.sort_unstable_by(|&p, &q| at(p).cmp(at(q)).then(p.cmp(&q)));
+    // What the search by hash has missed.
     order.dedup_by(|q, p| at(*q) == at(*p));
 
     let mut cycle: Vec<u32> = Vec::new();

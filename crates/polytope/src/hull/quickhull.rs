@@ -1,42 +1,65 @@
 //! The surface of a hull of dimension 3, as triangles.
 //!
 //! # Invariant
-//! Between two insertions the triangles are a triangulation of the boundary of the hull C of the points inserted so far:
-//! none has area zero, their interiors are disjoint, each edge belongs to two of them, and all are counterclockwise seen
-//! from outside. A plane may have several triangles; vertices inside a facet or inside an edge of C are allowed.
+//! Between two insertions the triangles are a triangulation of the boundary of the hull C of the points
+//! inserted so far: none has area zero, their interiors are disjoint, each edge belongs to two of them, and
+//! all are counterclockwise seen from outside. A plane may have several triangles; vertices inside a facet or
+//! inside an edge of C are allowed.
 //!
 //! # Why an insertion keeps it
-//! Let p lie outside C. A triangle *sees* p if p lies strictly on the outer side of its plane; a triangle with p in its
-//! plane does not. Some triangle sees p. The triangles of a facet of C see p all or none.
 //!
-//! *The triangles that see p form a disc, bounded by one cycle that visits no vertex twice.* Move p a little towards an
-//! inner point of C. Few enough, and every facet that saw p sees it still, every facet below which p was has it below still,
-//! and every facet with p in its plane has it below now. So the same triangles see the moved point p', which lies in no plane of
-//! a facet. A ray from p' that meets the interior of C enters C at one point, and that point is inside the seen part; a ray that only
-//! touches C does so at one point, since an edge along the ray would have p' in the planes of its two facets. Thus
-//! the rays from p' map the seen part one-to-one, and continuously in both directions, to the cone of all rays that meet C, and
-//! a plane cuts this cone in a convex disc.
+//! Let p lie outside C. A triangle *sees* p if p lies strictly on the outer side of its plane; a triangle
+//! with p in its plane does not. Some triangle sees p. The triangles of one facet of C all see p, or none
+//! does.
 //!
-//! *A new triangle, of p and an edge of the horizon, has positive area.* The edge belongs to a triangle that sees p. If p
-//! were on the line of the edge, it would be in the plane of that triangle, which then would not see p.
+//! *The triangles that see p form a disc, bounded by one cycle, the horizon, that visits no vertex twice.* A
+//! ray from p has at most one point in seen triangles: if it meets C first in x and then in y, and n is the
+//! outer normal of a triangle at y, then n . (x - y) <= 0 since x is in C, hence n . (p - y) <= 0, and the
+//! triangle does not see p. So the rays from p map the seen part one-to-one, and continuously, into a sphere
+//! around p. Move p a little towards an inner point of C, so little that every facet that saw p, or had it
+//! strictly inside, does so still; the facets with p in their planes now have it strictly inside. The seen
+//! triangles are the same, and the moved point is in no plane of a facet. From there, the first point of C on
+//! a ray into the interior of C is on a seen triangle, and a ray that only touches C meets it in one point,
+//! since an edge along the ray would put the moved point in the planes of two facets. So the seen part is
+//! mapped to all rays that meet C: a convex cone without a line, and a plane cuts it in a disc.
 //!
-//! *The new surface is the boundary of the hull of C and p.* This boundary has the facets of C that do not see p, the cone
-//! over the horizon, and nothing else. Where p lies in the plane of a facet G, the facet grows by the triangles of p and the edges of G
-//! between p and G; across such an edge lies a facet that sees p, and across no other edge of G, so that exactly these edges
-//! are in the horizon.
+//! *A new triangle, of p and an edge of the horizon, has positive area.* The edge belongs to a triangle that
+//! sees p. If p were on the line of the edge, it would be in the plane of that triangle, which then would not
+//! see p.
+//!
+//! *The new surface bounds the hull of C and p.* This boundary has the facets of C that do not see p, the
+//! cone over the horizon, and nothing else. Where p lies in the plane of a facet G, the facet grows by the
+//! triangles of p and the edges of G between p and G; across such an edge lies a facet that sees p, and
+//! across no other edge of G, so that exactly these edges are in the horizon.
+//!
+//! *A point in the list of a removed triangle that no triangle of the cone sees is in the new hull, and can
+//! be dropped.* Let q be outside the new hull and above a removed triangle. The triangles of the old surface
+//! that see q are connected. Either p sees all of them; then only triangles of the cone are left to see q,
+//! and one does. Or two of them meet in an edge of the horizon, one removed and one not. The plane of the new
+//! triangle at this edge is between their planes (or that of the one that stays), so it also has q strictly
+//! outside.
 //!
 //! # Termination
-//! A point stands in a list only while a triangle sees it, an insertion takes one point out of all lists, and none comes
-//! back. Hence there are fewer insertions than points.
+//!
+//! A point stands in a list only while a triangle sees it, an insertion takes one point out of all lists, and
+//! none comes back. Hence there are fewer insertions than points.
+//!
+//! # Order
+//!
+//! The point that looks farthest from the triangle of its list goes first, over all lists. Depth first would
+//! be quadratic for a prism with many sides: with one end complete and the other filled from left to right,
+//! each new vertex takes over half of the sides.
 
-use crate::fault::{Fault, injected};
 use std::cmp::Ordering;
+use std::collections::BinaryHeap;
 
 use exact::predicate::plane_side;
 use exact::{Point3, Sign, Vector3};
 
 use super::affine::{dot, sub};
+use super::fan::Fan;
 use super::sites::Sites;
+use crate::fault::{Fault, injected};
 
 /// No triangle, no point, or no halfedge.
 const NONE: u32 = u32::MAX;
@@ -63,14 +86,16 @@ fn prev(h: u32) -> u32 {
 
 /// Triangulates the boundary of the hull of `sites`; `corners` are four of them that are not coplanar.
 ///
-/// Vertices need not be extreme, and triangles of one plane are left apart: see [`super::merge`].
+/// Vertices need not be extreme, and triangles of one plane are left apart: see [`super::merge`]. Cones of
+/// more than `scanned` triangles are searched by halving, others triangle by triangle; the hull is the same.
 ///
 /// # Complexity
 /// See [`super::hull`].
-pub(super) fn surface(sites: &Sites<'_>, corners: [u32; 4]) -> Surface {
-    let mut builder = Builder::new(sites, corners);
-    while let Some(triangle) = builder.queue.pop() {
-        // A triangle can wait twice: its place is used again after its removal.
+pub(super) fn surface(sites: &Sites<'_>, corners: [u32; 4], scanned: usize) -> Surface {
+    let mut builder = Builder::new(sites, corners, scanned);
+    while let Some(Waiting { triangle, .. }) = builder.queue.pop() {
+        // A triangle can wait twice, as its place is used again after its removal: then its list may be
+        // empty.
         let p = builder.triangles[triangle as usize].farthest;
         if p != NONE {
             builder.insert(p, triangle);
@@ -92,7 +117,7 @@ struct Triangle {
     mark: u32,
 }
 
-struct Builder<'a> {
+pub(super) struct Builder<'a> {
     points: &'a [Point3],
     approx: &'a [[f64; 3]],
     triangles: Vec<Triangle>,
@@ -100,24 +125,27 @@ struct Builder<'a> {
     twin: Vec<u32>,
     /// For each point the next one in its list.
     behind: Vec<u32>,
-    /// Triangles whose list may not be empty.
-    queue: Vec<u32>,
-    /// Twice the number of insertions. A triangle has the mark `stamp` if it does not see the point that is being inserted,
-    /// and `stamp + 1` if it does.
+    /// Every triangle with a list, and some that were removed.
+    queue: BinaryHeap<Waiting>,
+    /// Twice the number of insertions. A triangle has the mark `stamp` if it does not see the point that is
+    /// being inserted, and `stamp + 1` if it does.
     stamp: u32,
     /// Places of removed triangles.
     free: Vec<u32>,
     /// For each point the new triangle whose first halfedge starts there.
     cone_at: Vec<u32>,
+    scanned: usize,
     // Buffers of `insert`.
     seen: Vec<u32>,
     horizon: Vec<u32>,
-    cone: Vec<u32>,
+    /// The triangles of the latest insertion, in cyclic order around its point: the second corner of each is
+    /// the first of the next.
+    pub(super) cone: Vec<u32>,
     orphans: Vec<u32>,
 }
 
 impl<'a> Builder<'a> {
-    fn new(sites: &'a Sites<'_>, [a, b, c, d]: [u32; 4]) -> Self {
+    fn new(sites: &'a Sites<'_>, [a, b, c, d]: [u32; 4], scanned: usize) -> Self {
         let count = sites.points.len();
         let mut builder = Builder {
             points: &sites.points,
@@ -126,10 +154,11 @@ impl<'a> Builder<'a> {
             source: Vec::new(),
             twin: Vec::new(),
             behind: vec![NONE; count],
-            queue: Vec::new(),
+            queue: BinaryHeap::new(),
             stamp: 0,
             free: Vec::new(),
             cone_at: vec![NONE; count],
+            scanned,
             seen: Vec::new(),
             horizon: Vec::new(),
             cone: Vec::new(),
@@ -141,13 +170,14 @@ impl<'a> Builder<'a> {
         builder.source.clear();
         builder.twin.clear();
         let cone = [[a, b, c], [b, a, d], [c, b, d], [a, c, d]].map(|corners| builder.add(corners));
-        // The sides of the first triangle meet the first sides of the others; these meet one another around d.
+        // The sides of the first triangle meet the first sides of the others; these meet one another around
+        // d.
         for (h, g) in [(0, 3), (1, 6), (2, 9), (4, 11), (7, 5), (10, 8)] {
             builder.link(h, g);
         }
         builder.cone.extend(cone);
         builder.orphans.extend(sites.distinct.iter().filter(|p| ![a, b, c, d].contains(p)));
-        builder.distribute();
+        builder.distribute(None);
         builder
     }
 
@@ -179,11 +209,20 @@ impl<'a> Builder<'a> {
         self.twin[g as usize] = h;
     }
 
-    fn sees(&self, t: u32, p: u32) -> bool {
+    pub(super) fn corners(&self, t: u32) -> [u32; 3] {
+        let at = 3 * t as usize;
+        [self.source[at], self.source[at + 1], self.source[at + 2]]
+    }
+
+    pub(super) fn direction(&self, from: u32, to: u32) -> Vector3 {
+        self.points[from as usize].direction_to(&self.points[to as usize])
+    }
+
+    pub(super) fn sees(&self, t: u32, p: u32) -> bool {
         self.side(t, p) == Sign::Positive
     }
 
-    fn side(&self, t: u32, p: u32) -> Sign {
+    pub(super) fn side(&self, t: u32, p: u32) -> Sign {
         let on = self.source[3 * t as usize];
         plane_side(&self.triangles[t as usize].normal, &self.points[on as usize], &self.points[p as usize])
     }
@@ -194,10 +233,12 @@ impl<'a> Builder<'a> {
         self.find_horizon(p, triangle);
         self.remove_seen(p);
         self.add_cone(p);
-        self.distribute();
+        let fan = (self.cone.len() > self.scanned).then(|| Fan::new(self));
+        self.distribute(fan.as_ref());
     }
 
-    /// Collects all triangles that see `p`, beginning with `start`, and the halfedges of the others along the horizon.
+    /// Collects all triangles that see `p`, beginning with `start`, and the halfedges of the others along the
+    /// horizon.
     fn find_horizon(&mut self, p: u32, start: u32) {
         let (hidden, visible) = (self.stamp, self.stamp + 1);
         self.triangles[start as usize].mark = visible;
@@ -254,39 +295,44 @@ impl<'a> Builder<'a> {
             self.cone_at[a as usize] = t;
             self.cone.push(t);
         }
-        // The horizon visits no vertex twice, so the neighbour is known by the vertex alone.
+        // The horizon visits no vertex twice, so the neighbour is known by the vertex alone. Beside linking,
+        // this brings the cone into cyclic order.
+        let mut t = self.cone[0];
         for at in 0..self.cone.len() {
-            let t = self.cone[at];
-            let b = self.source[3 * t as usize + 1];
-            let other = self.cone_at[b as usize];
-            self.link(3 * t + 1, 3 * other + 2);
+            self.cone[at] = t;
+            let [_, b, _] = self.corners(t);
+            let following = self.cone_at[b as usize];
+            self.link(3 * t + 1, 3 * following + 2);
+            t = following;
         }
     }
 
-    /// Puts each orphan in the list of a new triangle that sees it, and drops it if there is none.
-    fn distribute(&mut self) {
+    /// Puts each orphan in the list of a triangle of the cone that sees it, and drops it if there is none.
+    fn distribute(&mut self, fan: Option<&Fan>) {
         for at in 0..self.orphans.len() {
             let q = self.orphans[at];
-            let home = self.cone.iter().copied().find(|&t| self.sees(t, q));
+            let home = match fan {
+                Some(fan) => fan.find(self, q),
+                None => self.cone.iter().copied().find(|&t| self.sees(t, q)),
+            };
             if let Some(t) = home {
                 self.put(t, q);
             }
         }
         for &t in &self.cone {
             if self.triangles[t as usize].farthest != NONE {
-                self.queue.push(t);
+                self.queue.push(self.waiting(t));
             }
         }
     }
 
-    /// Puts `q` in the list of `t`. Only the choice of the farthest point depends on rounded numbers, and any is correct.
+    /// Puts `q` in the list of `t`. Only the choice of the farthest point depends on rounded numbers, and any
+    /// is correct.
     fn put(&mut self, t: u32, q: u32) {
         let on = self.source[3 * t as usize];
         let triangle = &mut self.triangles[t as usize];
         let [near, base] = [q, on].map(|p| self.approx[p as usize]);
-        let height = dot(triangle.normal.approx_f64(), sub(near, base));
-        // Infinity minus infinity: the rounded numbers know nothing.
-        let height = if height.is_nan() { f64::NEG_INFINITY } else { height };
+        let height = number_or_least(dot(triangle.normal.approx_f64(), sub(near, base)));
         let order = if triangle.farthest == NONE {
             Ordering::Greater
         } else {
@@ -298,6 +344,13 @@ impl<'a> Builder<'a> {
         }
         self.behind[q as usize] = triangle.first;
         triangle.first = q;
+    }
+
+    fn waiting(&self, t: u32) -> Waiting {
+        let triangle = &self.triangles[t as usize];
+        let length = triangle.normal.approx_f64().map(f64::abs).into_iter().fold(0.0, f64::max);
+        let distance = number_or_least(triangle.height / length);
+        Waiting { distance, tie: mix(triangle.farthest), triangle: t }
     }
 
     /// Writes down the surface without the places that are free.
@@ -335,13 +388,52 @@ impl<'a> Builder<'a> {
     }
 }
 
-/// Chooses between points of the same height. The last one in lexicographic order is extreme among all points of a plane
-/// parallel to the triangle; between points that look equal the choice is as good as random, so that the lists halve.
+/// A triangle with a list, ordered by how far its farthest point looks from its plane, up to a factor below
+/// 2.
+#[derive(Debug)]
+struct Waiting {
+    distance: f64,
+    tie: u32,
+    triangle: u32,
+}
+
+impl Ord for Waiting {
+    fn cmp(&self, other: &Self) -> Ordering {
+        let rest = |w: &Self| (w.tie, w.triangle);
+        self.distance.total_cmp(&other.distance).then_with(|| rest(self).cmp(&rest(other)))
+    }
+}
+
+impl PartialOrd for Waiting {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl PartialEq for Waiting {
+    fn eq(&self, other: &Self) -> bool {
+        self.cmp(other).is_eq()
+    }
+}
+
+impl Eq for Waiting {}
+
+/// Where approximations overflow, the rounded numbers know nothing.
+fn number_or_least(x: f64) -> f64 {
+    if x.is_nan() { f64::NEG_INFINITY } else { x }
+}
+
+/// Chooses between points of the same height. The last one in lexicographic order is extreme among all points
+/// of a plane parallel to the triangle; between points that look equal the choice is as good as random.
 fn tie(approx: &[[f64; 3]], p: u32, q: u32) -> Ordering {
-    let mix = |p: u32| p.wrapping_mul(0x9E37_79B1);
     let (near_p, near_q) = (approx[p as usize], approx[q as usize]);
     (0..3)
         .map(|axis| near_p[axis].total_cmp(&near_q[axis]))
         .find(|order| order.is_ne())
         .unwrap_or_else(|| mix(p).cmp(&mix(q)))
+}
+
+/// Scatters indices: an order that has nothing to do with the order of the input.
+fn mix(p: u32) -> u32 {
+    p.wrapping_mul(0x9E37_79B1)
 }

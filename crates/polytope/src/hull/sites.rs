@@ -50,8 +50,8 @@ const MAX_PROBES: usize = 12;
 
 /// Returns the points without repetitions, the first one of each value, in order.
 ///
-/// The hull is correct without this, but sums of symmetric bodies repeat each point often. So the search may miss a
-/// repetition: it hashes approximations, and gives up where many different points have the same one.
+/// The hull is correct without this, but sums of symmetric bodies repeat each point often. So the search may
+/// miss a repetition: it hashes approximations, and gives up where many different points have the same one.
 ///
 /// # Complexity
 /// O(n).

@@ -1,14 +1,15 @@
-//! Tests of the hull: a table of degenerate sets, an oracle by brute force, and what must hold for every answer.
+//! Tests of the hull: a table of degenerate sets, an oracle by brute force, and what must hold for every
+//! answer.
 //!
-//! All sets are written in small integers. An embedding turns them into points of some width and weight in a way that
-//! keeps the hull, so that one expected answer serves all of them.
+//! All sets are written in small integers. An embedding turns them into points of some width and weight in a
+//! way that keeps the hull, so that one expected answer serves all of them.
 
 use std::collections::{BTreeMap, BTreeSet};
 
 use exact::predicate::plane_side;
 use exact::{Integer, Point3, Sign};
 
-use super::{HullFacets, hull};
+use super::{HullFacets, hull, hull_with};
 use crate::facets::Facets;
 
 type P = [i64; 3];
@@ -131,25 +132,36 @@ impl Embedding {
     }
 }
 
-/// Computes the hull, checks all that must hold for any answer, and returns its shape.
+/// Sizes above which a cone is searched by halving: all cones, as usual, none.
+const SCANNED: [usize; 3] = [2, super::SCANNED, usize::MAX];
+
+/// Computes the hull in all ways, checks all that must hold for any answer, and returns its shape.
 fn shape_of(points: &[P], embedding: Embedding) -> Shape {
     let embedded = embedding.embed(points);
+    let shape = shape_with(points, &embedded, SCANNED[0]);
+    for scanned in &SCANNED[1..] {
+        assert_eq!(shape_with(points, &embedded, *scanned), shape, "{embedding:?}, {scanned}, {points:?}");
+    }
+    shape
+}
+
+fn shape_with(points: &[P], embedded: &[Point3], scanned: usize) -> Shape {
     let at = |i: u32| points[i as usize];
-    match hull(&embedded) {
+    match hull_with(embedded, scanned) {
         None => Shape::Empty,
         Some(HullFacets::Point(a)) => Shape::Point(at(a)),
         Some(HullFacets::Segment([a, b])) => Shape::Segment([at(a).min(at(b)), at(a).max(at(b))]),
         Some(HullFacets::Polygon(cycle)) => Shape::Polygon(unoriented(cycle.into_iter().map(at).collect())),
         Some(HullFacets::Solid(facets)) => {
-            check_solid(&embedded, &facets);
+            check_solid(embedded, &facets);
             let cycles = facets.iter().map(|cycle| from_smallest(cycle.iter().map(|&i| at(i)).collect()));
             Shape::Solid(cycles.collect())
         }
     }
 }
 
-/// Checks with the predicates: closed surface, Euler's relation, each vertex under one number, strictly convex facets in different planes, and
-/// every point on the inner side or in the plane of every facet.
+/// Checks with the predicates: closed surface, Euler's relation, each vertex under one number, strictly
+/// convex facets in different planes, and every point on the inner side or in the plane of every facet.
 fn check_solid(points: &[Point3], facets: &Facets) {
     let mut facet_of_edge = BTreeMap::new();
     for (f, cycle) in facets.iter().enumerate() {
@@ -286,7 +298,10 @@ fn repeated(points: Vec<P>, times: usize) -> Vec<P> {
     points.iter().copied().cycle().take(points.len() * times).collect()
 }
 
-fn table() -> Vec<(&'static str, Vec<P>, (i32, usize, usize, usize))> {
+/// Name, points, and the counts of the hull.
+type Row = (&'static str, Vec<P>, (i32, usize, usize, usize));
+
+fn table() -> Vec<Row> {
     let cube = || grid(1).into_iter().map(|p| p.map(|x| 4 * x)).collect::<Vec<P>>();
     let on_edges =
         || grid(4).into_iter().filter(|p| p.iter().filter(|&&x| x % 4 != 0).count() == 1).collect();
@@ -395,6 +410,7 @@ fn the_oracle_agrees_on_the_small_rows() {
 }
 
 #[test]
+#[expect(clippy::print_stderr, reason = "the suite reports what it met")]
 fn random_small_sets_agree_with_the_oracle() {
     const CASES: u64 = 9_000;
     let mut met = [0; 5];
@@ -432,7 +448,7 @@ fn random_small_sets_agree_with_the_oracle() {
         }
     }
     eprintln!(
-        "dimensions -1 to 3: {met:?}; {merged} with a facet of more than 3 vertices, {hidden} with points that are no vertices"
+        "dimensions -1 to 3: {met:?}; facets of more than 3 vertices: {merged}; inner points: {hidden}"
     );
     assert!(met[1..].iter().all(|&n| n >= 300), "{met:?}");
     assert!(merged >= 1000 && hidden >= 1000, "{merged}, {hidden}");
@@ -455,6 +471,29 @@ fn points_near_a_sphere() {
     assert!(vertices > 1490, "{vertices}");
     random.shuffle(&mut points);
     assert_eq!(shape_of(&points, Embedding::SharedWeight), shape);
+}
+
+#[test]
+fn large_cones() {
+    // Many points in few planes over a polygon of many vertices: a vertex among them has a large cone with
+    // coplanar triangles in it, and leaves many points to distribute. Checked by what must hold, for each way
+    // to search.
+    let mut random = Random(11);
+    for round in 0..12 {
+        let rim: Vec<P> = parabola(50, 0, 0).into_iter().map(|p| p.map(|x| 64 * x)).collect();
+        let on_chord = |random: &mut Random, height: i64| {
+            let [a, b] = [0; 2].map(|_| rim[random.below(50) as usize]);
+            let t = random.below(9) as i64;
+            [0, 1, 2].map(|axis| (a[axis] * t + b[axis] * (8 - t)) / 8 + if axis == 2 { height } else { 0 })
+        };
+        let mut points: Vec<P> = (0..150).map(|i| on_chord(&mut random, 1 + i % 3 * (round % 4))).collect();
+        points.extend(&rim);
+        points.push([1600, 70_000, [-1, -100_000][round as usize % 2]]);
+        random.shuffle(&mut points);
+        for embedding in [Embedding::Plain, Embedding::FarAway] {
+            assert_eq!(shape_of(&points, embedding).counts().0, 3, "round {round}");
+        }
+    }
 }
 
 #[test]
