@@ -197,13 +197,22 @@ impl Polytope {
         PolygonMesh { points: self.points.clone(), facets }
     }
 
-    /// The polytope under an invertible affine map: rotated, scaled, reflected, moved.
+    /// The polytope under an affine map: rotated, scaled, reflected, moved.
+    ///
+    /// Degenerate: a map that is not invertible gives the image, of a lower dimension perhaps.
+    ///
+    /// # Complexity
+    /// Linear; that of a convex hull if the map is not invertible.
     pub fn transformed(&self, map: &Affine3) -> Self {
         let points: Vec<Point3> = self.points.iter().map(|p| map.apply(p)).collect();
+        let sign = map.determinant_sign();
+        if sign == Sign::Zero {
+            return convex_hull(&points).expect("a polytope has a vertex");
+        }
         match self.dimension {
             3 => {
                 let mut facets = self.to_mesh().facets;
-                if map.determinant_sign() == Sign::Negative {
+                if sign == Sign::Negative {
                     facets.reverse();
                 }
                 Self::from_convex_facets(points, &facets)

@@ -129,7 +129,10 @@ fn large_facets() {
     assert_same(&sum, &minkowski_sum_by_hull(&[&prism, &bipyramid]), "prism + bipyramid");
     let sum = minkowski_sum(&[&bipyramid, &bipyramid.transformed(&about_z)]);
     assert_eq!(sum.check_valid(), []);
-    assert_eq!(sum.counts().facets, 2 * n + 2 * n + overlay_counts(&bipyramid, &bipyramid.transformed(&about_z)).crossings);
+    assert_eq!(
+        sum.counts().facets,
+        2 * n + 2 * n + overlay_counts(&bipyramid, &bipyramid.transformed(&about_z)).crossings
+    );
 }
 
 /// The same, turned about general axes, which puts two apices of degree 500 into facets of the other.
@@ -142,9 +145,11 @@ fn large_facets_turned() {
             for p in &shapes {
                 for q in &turned {
                     let (sum, swapped) = (minkowski_sum(&[p, q]), minkowski_sum(&[q, p]));
-                    let context = format!("{n}: {:?} and {:?} turned by {quaternion:?}", counts(p), counts(q));
+                    let context =
+                        format!("{n}: {:?} and {:?} turned by {quaternion:?}", counts(p), counts(q));
                     let overlay = overlay_counts(p, q);
-                    let facets = p.counts().facets + q.counts().facets + overlay.crossings - overlay.common_normals;
+                    let facets =
+                        p.counts().facets + q.counts().facets + overlay.crossings - overlay.common_normals;
                     assert_eq!(sum.counts().facets, facets, "{context}");
                     assert_same(&sum, &swapped, &context);
                     if n == 60 {

@@ -51,7 +51,10 @@ fn summands_in_any_order() {
         }
         // Sums are summands again, in any association.
         let folded = summands.split_first().map(|(first, rest)| {
-            rest.iter().fold((*first).clone(), |total, p| if rng.one_in(2) { sum(&total, p) } else { sum(p, &total) })
+            rest.iter().fold(
+                (*first).clone(),
+                |total, p| if rng.one_in(2) { sum(&total, p) } else { sum(p, &total) },
+            )
         });
         if let Some(folded) = folded {
             assert_same(&folded, &hull, context);
@@ -232,7 +235,8 @@ fn float_meshes() {
             let context = format!("spread {spread}, {context}");
             let polytopes = [20, 12].map(|count| {
                 let mesh = stl_like_mesh(rng, count, spread);
-                Polytope::from_mesh(&mesh, &mut Vec::new()).unwrap_or_else(|error| panic!("{context}: {error}"))
+                Polytope::from_mesh(&mesh, &mut Vec::new())
+                    .unwrap_or_else(|error| panic!("{context}: {error}"))
             });
             let [p, q] = &polytopes;
             assert_same(&sum(p, q), &minkowski_sum_by_hull(&[p, q]), &context);

@@ -34,13 +34,16 @@ impl Census {
         let zero = |v: &Vector3, axis: usize| v.sign(axis) == Sign::Zero;
         let conditions = [
             ("pairs with parallel edges", {
-                parallel(&edges[0], &edges[1], Sign::Positive) || parallel(&edges[0], &edges[1], Sign::Negative)
+                parallel(&edges[0], &edges[1], Sign::Positive)
+                    || parallel(&edges[0], &edges[1], Sign::Negative)
             }),
             ("pairs with parallel facets", parallel(&normals[0], &normals[1], Sign::Positive)),
             ("pairs with opposite facets", parallel(&normals[0], &normals[1], Sign::Negative)),
             ("pairs with a normal at a pole", has(&normals, &|n| zero(n, 0) && zero(n, 1))),
             ("pairs with a normal at the same pole twice", {
-                normals.iter().all(|n| n.iter().any(|n| zero(n, 0) && zero(n, 1) && n.sign(2) == Sign::Positive))
+                normals
+                    .iter()
+                    .all(|n| n.iter().any(|n| zero(n, 0) && zero(n, 1) && n.sign(2) == Sign::Positive))
             }),
             ("pairs with a normal on the identification curve", {
                 has(&normals, &|n| zero(n, 1) && n.sign(0) == Sign::Negative)
@@ -49,7 +52,8 @@ impl Census {
             ("pairs with an arc along the identification curve", has(&edges, &|e| zero(e, 0) && zero(e, 2))),
             ("pairs with an arc on the equator", has(&edges, &|e| zero(e, 0) && zero(e, 1))),
             ("pairs of coplanar polygons", {
-                [p, q].map(Polytope::dimension) == [2, 2] && parallel(&normals[0], &normals[1], Sign::Positive)
+                [p, q].map(Polytope::dimension) == [2, 2]
+                    && parallel(&normals[0], &normals[1], Sign::Positive)
             }),
             ("pairs of a polygon and a segment in its plane", {
                 let flat = |p: usize, q: usize| edges[q].iter().all(|e| e.dot(&normals[p][0]).is_zero());

@@ -5,13 +5,15 @@
 //! compared with it: if every facet lies on the boundary of the hull, turned outwards, and the volumes
 //! agree, the surface covers that boundary exactly once, and the hull is the polytope.
 
+mod depth;
 mod error;
 mod strict;
 mod summary;
 mod weld;
 
+pub use depth::hull_depth;
 pub use error::{MeshError, Note};
-pub use summary::{MeshSummary, hull_depth};
+pub use summary::MeshSummary;
 
 use crate::measure::signed_volume;
 use crate::polytope::nonzero_axis;

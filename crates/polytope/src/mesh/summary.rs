@@ -1,6 +1,5 @@
 //! Facts about any mesh, convex or not, closed or not.
 
-use super::strict::squared_distance;
 use super::weld::Compact;
 use super::{MeshError, Note, closed};
 use crate::measure::{Bounds, signed_volume};
@@ -100,46 +99,6 @@ impl MeshSummary {
             defect: None,
         }
     }
-}
-
-/// How far below the boundary of the hull a point of the mesh lies at most: the square of that
-/// distance, zero if every point is on the boundary.
-///
-/// # Complexity
-/// Points times facets at worst; a point is left as soon as one facet is nearer than what was found.
-pub fn hull_depth(points: &[Point3], hull: &Polytope) -> Rational {
-    let mut deepest = Rational::from(0);
-    if hull.dimension != 3 {
-        return deepest;
-    }
-    let planes: Vec<(&Vector3, &Point3)> = hull
-        .mesh
-        .facets()
-        .map(|f| (hull.facet_normal(f), &hull.points[hull.mesh.source(hull.mesh.boundary(f)).index()]))
-        .collect();
-    let mut nearest = 0; // the facet that was nearest to the point before: a good guess
-    for point in points {
-        let mut depth: Option<Rational> = None;
-        let order = std::iter::once(nearest).chain((0..planes.len()).filter(move |&f| f != nearest));
-        for f in order {
-            let (normal, on) = planes[f];
-            if predicate::plane_side(normal, on, point) == Sign::Zero {
-                (depth, nearest) = (None, f);
-                break;
-            }
-            let distance = squared_distance(normal, on, point);
-            if depth.as_ref().is_none_or(|d| distance < *d) {
-                nearest = f;
-                if distance <= deepest {
-                    depth = None;
-                    break;
-                }
-                depth = Some(distance);
-            }
-        }
-        deepest = depth.unwrap_or(deepest);
-    }
-    deepest
 }
 
 /// The components of a closed surface and their genera.
