@@ -1,9 +1,9 @@
 //! What is wrong with a mesh, in the lines of its file.
 
 use crate::input::Operand;
-use splitstar::dcel::Defect;
+
 use splitstar::exact::Rational;
-use splitstar::polytope::MeshError;
+use splitstar::polytope::{Defect, MeshError};
 
 /// The line at fault, and what is wrong there; not yet what to do.
 pub(crate) fn mesh_error(error: &MeshError, operand: &Operand) -> (Option<u32>, String) {

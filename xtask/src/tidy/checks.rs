@@ -25,7 +25,7 @@ pub(super) fn all(tree: &Tree) -> Vec<Problem> {
         Err((line, what)) => problems.push(in_architecture(line, what)),
     }
     for member in &tree.crates {
-        manifest(member, &mut problems);
+        manifest(tree, member, &mut problems);
         lengths(member, &mut problems);
     }
     reasons(tree, &mut problems);
@@ -113,14 +113,20 @@ fn is_allowed(text: &str, line: usize, pattern: &str) -> bool {
     text.lines().skip(line.saturating_sub(2)).take(2).any(|near| near.contains(&excuse))
 }
 
-/// Lints of the workspace; tests depend on `testkit` and nothing else of ours.
-fn manifest(member: &Member, problems: &mut Vec<Problem>) {
+/// Lints of the workspace; tests depend on `testkit`, on what the crate itself uses (with other features), on the crate itself,
+/// and on crates from outside that the workspace names.
+fn manifest(tree: &Tree, member: &Member, problems: &mut Vec<Problem>) {
     let mut say = |what: String| problems.push(Problem { path: member.manifest.clone(), line: 0, what });
     if !member.takes_lints {
         say("`[lints]` with `workspace = true` is missing".to_owned());
     }
-    for name in member.for_tests.iter().filter(|name| *name != "testkit") {
-        say(format!("`{name}` is a dependency of the tests: only `testkit` may be"));
+    let known = |name: &String| {
+        name == "testkit" || *name == member.name || member.uses.contains(name) || tree.outside.contains(name)
+    };
+    for name in member.for_tests.iter().filter(|name| !known(name)) {
+        say(format!(
+            "`{name}` is a dependency of the tests: only `testkit`, and what the crate uses, may be"
+        ));
     }
 }
 

@@ -126,7 +126,9 @@ fn manifests_lengths_reasons_and_paths() {
     let for_tests = after(|tree| tree.crates[0].for_tests.push("high".to_owned()));
     assert_eq!(
         for_tests,
-        ["crates/low/Cargo.toml: `high` is a dependency of the tests: only `testkit` may be"]
+        [
+            "crates/low/Cargo.toml: `high` is a dependency of the tests: only `testkit`, and what the crate uses, may be"
+        ]
     );
 
     let long = "x();\n".repeat(500);
