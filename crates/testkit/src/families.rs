@@ -12,18 +12,20 @@ fn fraction(numerator: i64, denominator: i64) -> Rational {
 /// `n` points exactly on the unit circle, counterclockwise, near the corners of the regular polygon.
 ///
 /// The point of parameter t is ((1 - t^2) / (1 + t^2), 2t / (1 + t^2)); t is the tangent of half the
-/// angle, rounded to a multiple of 2^-20, so that all coordinates stay narrow.
+/// angle, rounded to a multiple of 2^-k, where 2^k is about 64 n. So the denominators have about
+/// 2k bits, and most of them are different.
 ///
 /// # Panics
-/// If `n` is not from 3 to 100,000: with more points, neighbours would fall together.
+/// If `n` is not from 3 to 100,000.
 pub fn rational_circle(n: usize) -> Vec<[Rational; 2]> {
     assert!((3..=100_000).contains(&n), "the circle has 3 to 100,000 points");
+    let grid = (64 * n).next_power_of_two() as i64;
     let point = |i: usize| {
         // Angles from -90 to 90 degrees, and the mirror images of the others: |t| stays at most 1.
         let quarter = 0.25 * n as f64;
         let mirrored = i as f64 > 2.0 * quarter;
         let turn = (i as f64 - if mirrored { 3.0 * quarter } else { quarter }) / n as f64;
-        let t = fraction(((std::f64::consts::PI * turn).tan() * f64::from(1 << 20)).round() as i64, 1 << 20);
+        let t = fraction(((std::f64::consts::PI * turn).tan() * grid as f64).round() as i64, grid);
         let square = &t * &t;
         let one = Rational::from(1);
         let divide = |a: Rational| a.checked_div(&(one.clone() + &square)).expect("a sum of squares");

@@ -41,8 +41,8 @@ pub fn soup(mesh: &PolygonMesh) -> PolygonMesh {
 }
 
 /// A convex mesh with float coordinates, as in an STL file: the hull of `count` points near an ellipsoid
-/// whose centre and axes have magnitudes spread over so many powers of two, triangulated, every facet
-/// with vertices of its own.
+/// whose axes have magnitudes spread over so many powers of two, up to 2^20 axes away from the origin,
+/// triangulated, every facet with vertices of its own.
 ///
 /// Clearing the denominators of such coordinates needs about `53 + spread` bits.
 ///
@@ -51,8 +51,8 @@ pub fn soup(mesh: &PolygonMesh) -> PolygonMesh {
 pub fn stl_like_mesh(rng: &mut Rng, count: u64, spread: u64) -> PolygonMesh {
     assert!(count >= 4, "a solid has four vertices");
     let half = spread / 2;
-    let mut magnitude = || 2f64.powi(rng.between(0, spread) as i32 - half as i32);
-    let (axes, centre) = ([0; 3].map(|_: u8| magnitude()), [0; 3].map(|_: u8| magnitude()));
+    let axes = [0; 3].map(|_: u8| 2f64.powi(rng.between(0, spread) as i32 - half as i32));
+    let centre = axes.map(|axis| axis * 2f64.powi(rng.below(21) as i32));
     loop {
         let mut unit = || (rng.bits() >> 11) as f64 / (1u64 << 52) as f64 - 1.0;
         let points: Vec<Point3> = (0..count)
