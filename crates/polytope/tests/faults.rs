@@ -10,7 +10,8 @@ use testkit::{Rng, SumRow, difference, facet_planes, hull, hull_of_dimension, is
 const SEED: u64 = 0xfa17_0001;
 
 /// What looks at a result. Each is asked by itself; the comparisons have the right sum.
-const ORACLES: [&str; 8] = ["check_valid", "dimension", "counts", "vertices", "volume", "planes", "cycles", "panic"];
+const ORACLES: [&str; 8] =
+    ["check_valid", "dimension", "counts", "vertices", "volume", "planes", "cycles", "panic"];
 
 /// The oracles that object to a result (`None` if computing it has panicked).
 fn objections(found: Option<&Polytope>, right: &Polytope) -> Vec<&'static str> {
@@ -106,7 +107,10 @@ fn every_fault_is_caught() {
     let results: Vec<_> = ROWS.iter().map(|&(fault, add, ..)| census(fault, add, &pairs)).collect();
     std::panic::set_hook(hook);
     for ((fault, _, least, oracles), (seen_by, caught, right)) in ROWS.iter().zip(&results) {
-        println!("{fault:?}: caught in {caught} of {} pairs, not reached in {right}; by {seen_by:?}", pairs.len());
+        println!(
+            "{fault:?}: caught in {caught} of {} pairs, not reached in {right}; by {seen_by:?}",
+            pairs.len()
+        );
         assert!(caught >= least, "{fault:?}: caught in {caught} pairs, at least {least} are wanted");
         for oracle in *oracles {
             assert!(seen_by.contains_key(oracle), "{fault:?} was not seen by {oracle}");

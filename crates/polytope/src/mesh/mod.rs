@@ -20,7 +20,7 @@ use crate::polytope::nonzero_axis;
 use crate::vectors::LazyVectors;
 use crate::{PolygonMesh, Polytope, convex_hull};
 use dcel::{Defect, FacetId, HalfedgeId, Mesh};
-use exact::{Rational, Sign, Vector3};
+use exact::{Point3, Rational, Sign, Vector3};
 use std::collections::HashMap;
 use strict::Surface;
 use weld::Compact;
@@ -211,23 +211,7 @@ impl Check<'_> {
                 });
             }
             2 => {
-                // The facets that face the front must cover the polygon once.
-                let axis = nonzero_axis(&hull.vectors().normals[0]);
-                let area = |points: &[exact::Point3], cycles: &mut dyn Iterator<Item = Vec<u32>>| {
-                    cycles.fold(Rational::from(0), |sum, cycle| sum + twice_area(points, &cycle, axis))
-                };
-                let front = self.mesh.facets().filter(|f| {
-                    surface.normals[f.index()].sign(axis) == hull.vectors().normals[0].sign(axis)
-                });
-                let covered = area(
-                    &self.compact.points,
-                    &mut front.map(|f| self.compact.facets.get(f.index()).to_vec()),
-                );
-                let whole = area(
-                    &hull.points,
-                    &mut std::iter::once(hull.facet_cycle(FacetId(0)).map(|v| v.0).collect()),
-                );
-                if covered != whole {
+                if !self.covers_once(&surface, &hull) {
                     return Err(self.not_on_hull(FacetId(0)));
                 }
                 self.notes.push(Note::Flat { dimension: 2 });
@@ -242,10 +226,22 @@ impl Check<'_> {
         }
         Ok(hull)
     }
+
+    /// Whether the facets of a flat surface that face the front of a polygon have its area.
+    fn covers_once(&self, surface: &Surface<'_>, polygon: &Polytope) -> bool {
+        let front = &polygon.vectors().normals[0];
+        let axis = nonzero_axis(front);
+        let faces_front = |f: &FacetId| surface.normals[f.index()].sign(axis) == front.sign(axis);
+        let covered = self.mesh.facets().filter(faces_front).fold(Rational::from(0), |sum, f| {
+            sum + twice_area(&self.compact.points, self.compact.facets.get(f.index()), axis)
+        });
+        let cycle: Vec<u32> = polygon.facet_cycle(FacetId(0)).map(|v| v.0).collect();
+        covered == twice_area(&polygon.points, &cycle, axis)
+    }
 }
 
 /// Twice the signed area of a cycle seen along an axis.
-fn twice_area(points: &[exact::Point3], cycle: &[u32], axis: usize) -> Rational {
+fn twice_area(points: &[Point3], cycle: &[u32], axis: usize) -> Rational {
     let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
     let corner = |k: usize| &points[cycle[k % cycle.len()] as usize];
     (0..cycle.len()).fold(Rational::from(0), |sum, k| {

@@ -126,6 +126,14 @@ enum Heading {
     Along(HalfedgeId),
 }
 
+/// How far a red arc goes in one step.
+enum Step {
+    /// To its end, which lies there.
+    End(Place),
+    /// To a vertex of the overlay, and how it goes on.
+    On(Node, Heading),
+}
+
 struct Walk<'a> {
     red: &'a GaussianMap<'a>,
     blue: &'a GaussianMap<'a>,
@@ -176,7 +184,8 @@ impl Walk<'_> {
     fn follow(&mut self, r: HalfedgeId, sector: &mut Option<HalfedgeId>) -> Place {
         let (red, blue) = (self.red, self.blue);
         let start = red.mesh.facet(r);
-        let (end, target) = (red.end(r), red.normal(red.end(r)));
+        let end = Node::new(Kind::Red(red.end(r).0));
+        let target = red.normal(red.end(r));
         let mut from = Node::new(Kind::Red(start.0));
         let mut heading = match self.trace.places[start.index()] {
             Place::Face(w, chord) => {
@@ -194,83 +203,71 @@ impl Walk<'_> {
             Place::Unknown => unreachable!("arcs are followed from vertices whose place is known"),
         };
         loop {
-            match heading {
-                Heading::Along(b) => {
-                    let faces = [blue.mesh.target(b), blue.mesh.source(b)];
-                    self.trace.counts.overlaps += 1;
-                    let last = blue.end(b);
-                    match self.before_end_of(b, target) {
-                        Sign::Positive => {
-                            self.piece(r, from, Node::new(Kind::Red(end.0)), faces);
-                            return Place::Arc(b);
-                        }
-                        Sign::Zero => {
-                            self.piece(r, from, Node::new(Kind::Red(end.0)), faces);
-                            return Place::Vertex(last);
-                        }
-                        Sign::Negative => {
-                            self.piece(r, from, Node::new(Kind::Blue(last.0)), faces);
-                            from = Node::new(Kind::Blue(last.0));
-                            self.trace.counts.arcs_through_normals += 1;
-                            heading = self.leave_vertex(r, target, blue.mesh.next(b.twin())).0;
-                        }
-                    }
-                }
-                Heading::Into(w, _) | Heading::Within(w, _) => {
-                    if let Place::Face(known, _) = self.trace.places[end.index()]
-                        && known == w
-                    {
-                        // Both ends lie in one face, and faces are convex.
-                        self.piece(r, from, Node::new(Kind::Red(end.0)), [w, w]);
-                        return Place::Face(w, None);
-                    }
-                    let ring = blue.ring(w);
-                    let (exit, through_corner) = self.exit(r, target, &heading);
-                    let corner = ring[exit];
-                    // The arc before the exit corner: the red arc leaves through it or its end.
-                    let b = ring[if exit == 0 { ring.len() - 1 } else { exit - 1 }];
-                    match blue.side(target, b) {
-                        side if side == Sign::Positive
-                            || injected(Fault::ZeroAsPositive) && side == Sign::Zero =>
-                        {
-                            let entry = self.entry(r, target, &heading);
-                            self.piece(r, from, Node::new(Kind::Red(end.0)), [w, w]);
-                            return Place::Face(
-                                w,
-                                Some(Chord { arc: r, exit: exit as u32, entry: entry as u32 }),
-                            );
-                        }
-                        Sign::Zero => {
-                            self.piece(r, from, Node::new(Kind::Red(end.0)), [w, w]);
-                            return if through_corner {
-                                Place::Vertex(blue.mesh.facet(corner))
-                            } else {
-                                Place::Arc(b)
-                            };
-                        }
-                        Sign::Negative if through_corner => {
-                            let m = blue.mesh.facet(corner);
-                            self.piece(r, from, Node::new(Kind::Blue(m.0)), [w, w]);
-                            from = Node::new(Kind::Blue(m.0));
-                            self.trace.counts.arcs_through_normals += 1;
-                            heading = self.leave_vertex(r, target, corner).0;
-                        }
-                        _ => {
-                            let crossing = Node::new(Kind::Crossing(self.trace.crossings.len() as u32));
-                            self.trace.crossings.push(Crossing { red: r, blue: b });
-                            self.piece(r, from, crossing, [w, w]);
-                            from = crossing;
-                            heading = self.enter_right_of(b);
-                        }
-                    }
-                }
+            let (step, faces) = match heading {
+                Heading::Along(b) => (self.along(r, target, b), [blue.mesh.target(b), blue.mesh.source(b)]),
+                Heading::Into(w, _) | Heading::Within(w, _) => (self.across(r, target, w, &heading), [w, w]),
+            };
+            let to = if let Step::On(to, _) = step { to } else { end };
+            self.trace.pieces.push(Piece { arc: r, from, to, blue: faces });
+            match step {
+                Step::End(place) => return place,
+                Step::On(to, next) => (from, heading) = (to, next),
             }
         }
     }
 
+    /// One step along the blue arc `b`.
+    fn along(&mut self, r: HalfedgeId, target: Normal<'_>, b: HalfedgeId) -> Step {
+        self.trace.counts.overlaps += 1;
+        let last = self.blue.end(b);
+        match self.before_end_of(b, target) {
+            Sign::Positive => Step::End(Place::Arc(b)),
+            Sign::Zero => Step::End(Place::Vertex(last)),
+            Sign::Negative => self.through_vertex(r, target, last, self.blue.mesh.next(b.twin())),
+        }
+    }
+
+    /// One step inside the blue face `w`.
     #[inline]
-    fn piece(&mut self, arc: HalfedgeId, from: Node, to: Node, blue: [VertexId; 2]) {
-        self.trace.pieces.push(Piece { arc, from, to, blue });
+    fn across(&mut self, r: HalfedgeId, target: Normal<'_>, w: VertexId, heading: &Heading) -> Step {
+        let blue = self.blue;
+        if let Place::Face(known, _) = self.trace.places[self.red.end(r).index()]
+            && known == w
+        {
+            // Both ends lie in one face, and faces are convex.
+            return Step::End(Place::Face(w, None));
+        }
+        let ring = blue.ring(w);
+        let (exit, through_corner) = self.exit(r, target, heading);
+        let corner = ring[exit];
+        // The arc before the exit corner: the red arc leaves through it or its end.
+        let b = ring[if exit == 0 { ring.len() - 1 } else { exit - 1 }];
+        let mut side = blue.side(target, b);
+        if injected(Fault::ZeroAsPositive) && side == Sign::Zero {
+            side = Sign::Positive;
+        }
+        match side {
+            Sign::Positive => {
+                let entry = self.entry(r, target, heading) as u32;
+                Step::End(Place::Face(w, Some(Chord { arc: r, exit: exit as u32, entry })))
+            }
+            Sign::Zero if through_corner => Step::End(Place::Vertex(blue.mesh.facet(corner))),
+            Sign::Zero => Step::End(Place::Arc(b)),
+            Sign::Negative if through_corner => {
+                self.through_vertex(r, target, blue.mesh.facet(corner), corner)
+            }
+            Sign::Negative => {
+                let crossing = Node::new(Kind::Crossing(self.trace.crossings.len() as u32));
+                self.trace.crossings.push(Crossing { red: r, blue: b });
+                Step::On(crossing, self.enter_right_of(b))
+            }
+        }
+    }
+
+    /// On through the blue vertex `m`, of which `leaving` is one of the arcs.
+    fn through_vertex(&mut self, r: HalfedgeId, target: Normal<'_>, m: FacetId, leaving: HalfedgeId) -> Step {
+        self.trace.counts.arcs_through_normals += 1;
+        Step::On(Node::new(Kind::Blue(m.0)), self.leave_vertex(r, target, leaving).0)
     }
 
     /// The side of the red circle of `r` on which a blue corner lies.
