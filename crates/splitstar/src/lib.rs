@@ -1,3 +1,95 @@
-//! Exact computational geometry: the facade.
+//! Exact computational geometry: convex hulls and Minkowski sums of polytopes, with every decision exact.
+//!
+//! This crate has no code of its own. It joins the crates of the project under one name, each as a module, and
+//! offers the names that most programs need in [`prelude`].
+//!
+//! | module | what it has |
+//! |---|---|
+//! | [`exact`] | integers, rationals, vectors, points, planes, rotations, predicates |
+//! | [`dcel`] | halfedge connectivity: what is next to what |
+//! | [`polytope`] | polytopes and meshes, convex hulls, Minkowski sums |
+//! | [`formats`] | OFF text, read and written exactly |
+//!
+//! # A convex hull
+//!
+//! Points may be repeated, collinear or coplanar; the result has the dimension that they span.
+//!
+//! ```
+//! use splitstar::prelude::*;
+//!
+//! let points = [[0, 0, 0], [3, 0, 0], [0, 3, 0], [0, 0, 3], [1, 1, 1]].map(Point3::from_i64);
+//! let hull = convex_hull(&points).expect("there are points");
+//! assert_eq!(hull.counts().to_array(), [4, 6, 4]);
+//! assert_eq!(hull.volume(), Rational::new(9.into(), 2.into()).expect("two is not zero"));
+//!
+//! let flat = convex_hull(&points[..3]).expect("there are points");
+//! assert_eq!(flat.dimension(), 2);
+//! ```
+//!
+//! # A Minkowski sum
+//!
+//! Summands may have any dimension from 0 to 3, and there may be any number of them.
+//!
+//! ```
+//! use splitstar::prelude::*;
+//!
+//! let corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map(Point3::from_i64);
+//! let tetrahedron = convex_hull(&corners).expect("there are points");
+//! let difference = minkowski_sum(&[&tetrahedron, &tetrahedron.reflected()]);
+//! assert_eq!(difference.counts().to_array(), [12, 24, 14]);
+//! assert_eq!(difference.volume().to_string(), "10/3");
+//!
+//! // Turned by 30 degrees about the z-axis, as nearly as 1e-12, and exactly from then on.
+//! let axis = [0, 0, 1].map(Rational::from);
+//! let turn = Affine3::rotation(&Quaternion::nearest(axis, Rational::from(30))?);
+//! let sum = minkowski_sum(&[&tetrahedron, &tetrahedron.transformed(&turn)]);
+//! assert!(sum.check_valid().is_empty());
+//! # Ok::<(), splitstar::exact::ZeroAxis>(())
+//! ```
+//!
+//! # Reading and writing
+//!
+//! Libraries take and give text; where it comes from is the business of the program. `0.1` is one tenth.
+//!
+//! ```
+//! use splitstar::prelude::*;
+//!
+//! let read = read_off(b"OFF\n4 1 4\n0 0 0\n0.1 0 0\n0.1 1/3 0\n0 1/3 0\n4 0 1 2 3\n")?;
+//! let mut notes = Vec::new(); // what had to be mended: nothing here
+//! let rectangle = Polytope::from_mesh(&read.mesh, &mut notes)?;
+//! let up = Polytope::segment(Point3::ORIGIN, Point3::from_i64([0, 0, 2]));
+//!
+//! let block = minkowski_sum(&[&rectangle, &up]);
+//! assert_eq!(block.volume().to_string(), "1/15");
+//! let (text, _) = write_off(&block.to_mesh(), &WriteOptions::default())?;
+//! assert!(text.starts_with(b"OFF\n8 6 12\n"));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! # Promises
+//!
+//! Every decision is the mathematically true one for the input as given; nothing is rounded except by methods
+//! called `approx_*` and by writing floats on request. Degenerate input is no error. Malformed input is an error
+//! that names the place, and no input panics, unless the documentation of the function says so.
+
+// The examples of the README are tests of this crate.
+#![cfg_attr(doctest, doc = include_str!("../../../README.md"))]
 
 pub use {dcel, exact, formats, polytope};
+
+/// The names that most programs need: `use splitstar::prelude::*`.
+///
+/// ```
+/// use splitstar::prelude::*;
+///
+/// let segment = Polytope::segment(Point3::ORIGIN, Point3::from_i64([1, 2, 2]));
+/// let triple = minkowski_sum(&[&segment, &segment, &segment]);
+/// assert!(triple.same_set(&segment.transformed(&Affine3::scaling(&Rational::from(3)))));
+/// ```
+pub mod prelude {
+    pub use exact::{Affine3, Integer, Plane, Point3, Quaternion, Rational, Sign, Vector3};
+    pub use formats::{WriteOptions, read_off, write_off};
+    pub use polytope::{
+        FacetId, Facets, HalfedgeId, PolygonMesh, Polytope, VertexId, convex_hull, minkowski_sum,
+    };
+}
