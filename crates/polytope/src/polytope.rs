@@ -262,8 +262,8 @@ pub(crate) fn edge_vectors(points: &[Point3], mesh: &Mesh) -> Vec<Vector3> {
 /// between them is strictly convex, zero if it is straight.
 pub(crate) fn corner_normal(mesh: &Mesh, edges: &[Vector3], h: HalfedgeId) -> Vector3 {
     let next = mesh.next(h);
-    let cross = edges[h.edge()].cross(&edges[next.edge()]);
-    if (h.0 ^ next.0) & 1 == 0 { cross } else { -cross }
+    let (a, b) = (&edges[h.edge()], &edges[next.edge()]);
+    if (h.0 ^ next.0) & 1 == 0 { a.cross(b) } else { b.cross(a) }
 }
 
 /// The first axis along which a vector other than zero is not zero: what lies in a plane with that

@@ -61,8 +61,9 @@ impl Origins {
             FacetOrigin::First(f) => first.normals[f as usize].clone(),
             FacetOrigin::Second(f) => second.normals[f as usize].clone(),
             FacetOrigin::Edges([r, b]) => {
-                let cross = first.edges[r.edge()].cross(&second.edges[b.edge()]);
-                if (r.0 ^ b.0) & 1 == 0 { cross } else { -cross }
+                let same = (r.0 ^ b.0) & 1 == 0;
+                let (r, b) = (&first.edges[r.edge()], &second.edges[b.edge()]);
+                if same { r.cross(b) } else { b.cross(r) }
             }
         };
         Vectors {

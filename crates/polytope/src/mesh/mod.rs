@@ -138,14 +138,12 @@ impl Check<'_> {
         if let Some(h) = turns.first_reflex {
             return Err(self.reflex(h));
         }
-        let shells = self.mesh.components();
-        if shells.1 > 1 {
-            let other = shells.0.iter().position(|&label| label == 1).expect("there is a second shell");
-            let facets = [0, other].map(|f| self.compact.facet_names[f]);
-            return Err(MeshError::SeveralShells { shells: shells.1, facets });
-        }
         if turns.flat == 0 && surface.facets_are_convex() {
-            surface.winds_once().map_err(|f| self.not_on_hull(f))?;
+            // With more than one shell, the surface winds around more than once.
+            if let Err(f) = surface.winds_once() {
+                self.one_shell()?;
+                return Err(self.not_on_hull(f));
+            }
             let Surface { edges, normals, .. } = surface;
             let Self { mesh, compact, .. } = self;
             return Ok(Polytope {
@@ -156,7 +154,19 @@ impl Check<'_> {
             });
         }
         drop(surface);
+        self.one_shell()?;
         self.compare_with_hull()
+    }
+
+    fn one_shell(&self) -> Result<(), MeshError> {
+        let (label, shells) = self.mesh.components();
+        match label.iter().position(|&shell| shell == 1) {
+            None => Ok(()),
+            Some(other) => {
+                let facets = [0, other].map(|f| self.compact.facet_names[f]);
+                Err(MeshError::SeveralShells { shells, facets })
+            }
+        }
     }
 
     fn surface(&self) -> Result<Surface<'_>, MeshError> {

@@ -147,12 +147,12 @@ impl<'m> Surface<'m> {
         self.mesh.facet_cycle(f).filter(is_highest).count()
     }
 
-    /// Whether a connected surface of convex facets and convex edges is the boundary of a convex
-    /// polytope, or winds around more than once.
+    /// Whether a surface of convex facets and convex edges is the boundary of a convex polytope, or
+    /// winds around more than once, in one shell or several.
     ///
     /// From a point below all facets the surface is seen as a covering of the sphere of directions,
-    /// branched at vertices at most. The number of sheets is the number of facets met in a direction
-    /// inside one of them. With one sheet the surface is embedded, and an embedded surface that is
+    /// branched at vertices at most; every shell covers all directions. The number of sheets is the
+    /// number of facets met in a direction inside one of them. With one sheet the surface is embedded, and an embedded surface that is
     /// convex at every edge bounds a convex body (Tietze and Nakajima). Otherwise a facet is named
     /// that shows it: one with the point above it, or one on a second sheet.
     pub(super) fn winds_once(&self) -> Result<(), dcel::FacetId> {
@@ -170,16 +170,19 @@ impl<'m> Surface<'m> {
                 return Err(f);
             }
         }
-        let seen: Vec<Vector3> = self.points.iter().map(|p| centre.direction_to(p)).collect();
-        let at = |h: HalfedgeId| &seen[mesh.source(h).index()];
+        let seen = |h: HalfedgeId| centre.direction_to(corner(h));
         // A direction strictly inside the first facet.
-        let spread: Vec<HalfedgeId> = mesh.facet_cycle(first).take(3).collect();
-        let inside = Vector3::new(std::array::from_fn(|i| {
-            at(spread[0]).coordinate(i) + at(spread[1]).coordinate(i) + at(spread[2]).coordinate(i)
-        }));
+        let inside = mesh
+            .facet_cycle(first)
+            .take(3)
+            .map(seen)
+            .reduce(|sum, direction| &sum + &direction)
+            .expect("a facet has corners");
         let met = |f: dcel::FacetId| {
-            mesh.facet_cycle(f)
-                .all(|h| predicate::orientation(at(h), at(mesh.next(h)), &inside) != Sign::Negative)
+            predicate::side_of_circle(&self.normals[f.index()], &inside) == Sign::Positive
+                && mesh
+                    .facet_cycle(f)
+                    .all(|h| predicate::orientation(&seen(h), &seen(mesh.next(h)), &inside) != Sign::Negative)
         };
         match mesh.facets().skip(1).find(|&f| met(f)) {
             Some(f) => Err(f),

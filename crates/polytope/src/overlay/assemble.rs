@@ -6,7 +6,7 @@
 //! list of pieces by counting sorts, without looking for anything.
 
 use super::map::GaussianMap;
-use super::trace::{Kind, Node, Place, Trace};
+use super::trace::{Kind, Place, Trace};
 use crate::Polytope;
 use crate::fault::{Fault, injected};
 use crate::vectors::{EdgeOrigin, FacetOrigin, LazyVectors, Origins, Vectors};
@@ -70,30 +70,40 @@ pub(super) fn assemble(
     let pieces = in_blue.pieces.len() + in_red.pieces.len();
     let mut corners: Vec<Corner> = Vec::with_capacity(2 * pieces);
     let mut cells = Cells { left: Vec::with_capacity(2 * pieces), edges: Vec::with_capacity(pieces), facets };
+    let mut arc = None;
+    let mut from = 0;
     for piece in &in_blue.pieces {
-        let facet = |node: Node| match node.kind() {
+        if arc.replace(piece.arc) != Some(piece.arc) {
+            from = red.mesh.facet(piece.arc).0;
+        }
+        let to = match piece.to.kind() {
             Kind::Red(f) => f,
             Kind::Blue(m) => blue_facet[m as usize],
             Kind::Crossing(c) => first_crossing + c,
         };
-        let [left, right] = piece.blue.map(|w| w.0);
-        corners.push(Corner { red: red.mesh.source(piece.arc).0, blue: right });
-        corners.push(Corner { red: red.mesh.target(piece.arc).0, blue: left });
-        cells.push([piece.from, piece.to].map(facet), 0, piece.arc);
+        let [left, right] = piece.on.sides(blue).map_or_else(|sides| sides, |w| [w, w]);
+        corners.push(Corner { red: red.mesh.source(piece.arc).0, blue: right.0 });
+        corners.push(Corner { red: red.mesh.target(piece.arc).0, blue: left.0 });
+        cells.push([from, to], 0, piece.arc);
+        from = to;
     }
+    let mut arc = None;
     for piece in &in_red.pieces {
-        if piece.blue[0] != piece.blue[1] {
-            continue; // along a red arc: the other walk has it
+        if arc.replace(piece.arc) != Some(piece.arc) {
+            from = blue_facet[blue.mesh.facet(piece.arc).index()];
         }
-        let facet = |node: Node| match node.kind() {
+        let to = match piece.to.kind() {
             Kind::Red(m) => blue_facet[m as usize],
             Kind::Blue(f) => f,
             Kind::Crossing(c) => first_crossing + same_crossing[c as usize],
         };
-        let v = piece.blue[0].0;
-        corners.push(Corner { red: v, blue: blue.mesh.source(piece.arc).0 });
-        corners.push(Corner { red: v, blue: blue.mesh.target(piece.arc).0 });
-        cells.push([piece.from, piece.to].map(facet), 1, piece.arc);
+        // What runs along a red arc is known from the other walk.
+        if let Ok(v) = piece.on.sides(red) {
+            corners.push(Corner { red: v.0, blue: blue.mesh.source(piece.arc).0 });
+            corners.push(Corner { red: v.0, blue: blue.mesh.target(piece.arc).0 });
+            cells.push([from, to], 1, piece.arc);
+        }
+        from = to;
     }
     drop([in_blue, in_red]);
     if injected(Fault::DroppedEdge) {

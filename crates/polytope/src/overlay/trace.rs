@@ -63,16 +63,40 @@ impl Node {
     }
 }
 
-/// An edge of the overlay: a part of a red arc.
+/// An edge of the overlay: a part of a red arc. It starts where the piece before it ends, the first
+/// one of an arc at the start of the arc.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
     /// The red arc, in the direction in which it was traced.
     pub(super) arc: HalfedgeId,
-    pub(super) from: Node,
     pub(super) to: Node,
-    /// The blue vertices (faces of the map) on the left and on the right: the same one twice, unless
-    /// the piece runs along a blue arc.
-    pub(super) blue: [VertexId; 2],
+    pub(super) on: Track,
+}
+
+/// What a piece runs on in the blue map, in four bytes: a face, or an arc in the direction of the piece.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Track(u32);
+
+impl Track {
+    const ARC: u32 = 1 << 31;
+
+    fn inside(face: VertexId) -> Self {
+        Self(face.0)
+    }
+
+    fn along(arc: HalfedgeId) -> Self {
+        Self(arc.0 | Self::ARC)
+    }
+
+    /// The blue vertices (faces of the map) on the left and on the right; none if they are the same.
+    #[inline]
+    pub(super) fn sides(self, blue: &GaussianMap<'_>) -> Result<VertexId, [VertexId; 2]> {
+        if self.0 & Self::ARC == 0 {
+            return Ok(VertexId(self.0));
+        }
+        let arc = HalfedgeId(self.0 & !Self::ARC);
+        Err([blue.mesh.target(arc), blue.mesh.source(arc)])
+    }
 }
 
 /// Where two arcs cross: red from the left to the right of blue.
@@ -186,7 +210,6 @@ impl Walk<'_> {
         let start = red.mesh.facet(r);
         let end = Node::new(Kind::Red(red.end(r).0));
         let target = red.normal(red.end(r));
-        let mut from = Node::new(Kind::Red(start.0));
         let mut heading = match self.trace.places[start.index()] {
             Place::Face(w, chord) => {
                 let chord = chord.unwrap_or_else(|| self.first_chord(r, w));
@@ -203,15 +226,21 @@ impl Walk<'_> {
             Place::Unknown => unreachable!("arcs are followed from vertices whose place is known"),
         };
         loop {
-            let (step, faces) = match heading {
-                Heading::Along(b) => (self.along(r, target, b), [blue.mesh.target(b), blue.mesh.source(b)]),
-                Heading::Into(w, _) | Heading::Within(w, _) => (self.across(r, target, w, &heading), [w, w]),
+            let (step, on) = match heading {
+                Heading::Along(b) => (self.along(r, target, b), Track::along(b)),
+                Heading::Into(w, _) | Heading::Within(w, _) => {
+                    (self.across(r, target, w, &heading), Track::inside(w))
+                }
             };
-            let to = if let Step::On(to, _) = step { to } else { end };
-            self.trace.pieces.push(Piece { arc: r, from, to, blue: faces });
             match step {
-                Step::End(place) => return place,
-                Step::On(to, next) => (from, heading) = (to, next),
+                Step::End(place) => {
+                    self.trace.pieces.push(Piece { arc: r, to: end, on });
+                    return place;
+                }
+                Step::On(to, next) => {
+                    self.trace.pieces.push(Piece { arc: r, to, on });
+                    heading = next;
+                }
             }
         }
     }
