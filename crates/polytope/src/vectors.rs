@@ -25,13 +25,29 @@ impl Vectors {
     }
 }
 
-/// Where an edge of a sum comes from.
+/// Where an edge of a sum comes from: the summand and a halfedge of it, with the direction of the even
+/// halfedge of the edge. In four bytes.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct EdgeOrigin {
-    /// 0 or 1.
-    pub(crate) summand: u8,
-    /// A halfedge of that summand with the direction of the even halfedge of the edge.
-    pub(crate) halfedge: HalfedgeId,
+pub(crate) struct EdgeOrigin(u32);
+
+impl EdgeOrigin {
+    const SECOND: u32 = 1 << 31;
+
+    /// `summand` is 0 or 1.
+    #[inline]
+    pub(crate) fn new(summand: u32, halfedge: HalfedgeId) -> Self {
+        assert!(halfedge.0 < Self::SECOND, "a summand has fewer than 2^31 halfedges");
+        Self(halfedge.0 | summand << 31)
+    }
+
+    /// The same edge in the other direction.
+    pub(crate) fn reversed(self) -> Self {
+        Self(self.0 ^ 1)
+    }
+
+    fn vector(self, summands: &[Arc<Vectors>; 2]) -> Vector3 {
+        summands[(self.0 >> 31) as usize].of_halfedge(HalfedgeId(self.0 & !Self::SECOND))
+    }
 }
 
 /// Where a facet of a sum comes from.
@@ -56,7 +72,6 @@ pub(crate) struct Origins {
 impl Origins {
     fn make(&self) -> Vectors {
         let [first, second] = &self.summands;
-        let edge = |o: &EdgeOrigin| self.summands[usize::from(o.summand)].of_halfedge(o.halfedge);
         let normal = |o: &FacetOrigin| match *o {
             FacetOrigin::First(f) => first.normals[f as usize].clone(),
             FacetOrigin::Second(f) => second.normals[f as usize].clone(),
@@ -67,7 +82,7 @@ impl Origins {
             }
         };
         Vectors {
-            edges: self.edges.iter().map(edge).collect(),
+            edges: self.edges.iter().map(|origin| origin.vector(&self.summands)).collect(),
             normals: self.facets.iter().map(normal).collect(),
         }
     }

@@ -24,12 +24,6 @@ struct Cells {
     facets: Vec<FacetOrigin>,
 }
 
-/// A vertex of the sum as the source of a halfedge.
-struct Corner {
-    red: u32,
-    blue: u32,
-}
-
 /// Joins the walk of red through blue with that of blue through red.
 pub(super) fn assemble(
     [red, blue]: [&GaussianMap<'_>; 2],
@@ -65,10 +59,8 @@ pub(super) fn assemble(
     }
     let same_crossing = match_crossings([red, blue], [&in_blue, &in_red]);
 
-    // Each piece has a facet at its ends, and a vertex on its left (the target of the edge) and on its
-    // right (the source).
+    // The facets at the ends of each piece are those on the left and on the right of an edge.
     let pieces = in_blue.pieces.len() + in_red.pieces.len();
-    let mut corners: Vec<Corner> = Vec::with_capacity(2 * pieces);
     let mut cells = Cells { left: Vec::with_capacity(2 * pieces), edges: Vec::with_capacity(pieces), facets };
     let mut arc = None;
     let mut from = 0;
@@ -81,9 +73,6 @@ pub(super) fn assemble(
             Kind::Blue(m) => blue_facet[m as usize],
             Kind::Crossing(c) => first_crossing + c,
         };
-        let [left, right] = piece.on.sides(blue).map_or_else(|sides| sides, |w| [w, w]);
-        corners.push(Corner { red: red.mesh.source(piece.arc).0, blue: right.0 });
-        corners.push(Corner { red: red.mesh.target(piece.arc).0, blue: left.0 });
         cells.push([from, to], 0, piece.arc);
         from = to;
     }
@@ -98,29 +87,25 @@ pub(super) fn assemble(
             Kind::Crossing(c) => first_crossing + same_crossing[c as usize],
         };
         // What runs along a red arc is known from the other walk.
-        if let Ok(v) = piece.on.sides(red) {
-            corners.push(Corner { red: v.0, blue: blue.mesh.source(piece.arc).0 });
-            corners.push(Corner { red: v.0, blue: blue.mesh.target(piece.arc).0 });
+        if piece.on.face().is_some() {
             cells.push([from, to], 1, piece.arc);
         }
         from = to;
     }
-    drop([in_blue, in_red]);
     if injected(Fault::DroppedEdge) {
         cells.edges.pop();
         cells.left.truncate(2 * cells.edges.len());
-        corners.truncate(2 * cells.edges.len());
     }
-    let (points, sources) = number_corners(red, blue, corners);
+    let (points, sources) = number_vertices([red, blue], &[in_blue, in_red], cells.left.len());
     finish(points, sources, cells, summands)
 }
 
 impl Cells {
     /// Adds the edge with the two facets on its left and on its right.
     #[inline]
-    fn push(&mut self, sides: [u32; 2], summand: u8, halfedge: HalfedgeId) {
+    fn push(&mut self, sides: [u32; 2], summand: u32, halfedge: HalfedgeId) {
         self.left.extend(sides.map(FacetId));
-        self.edges.push(EdgeOrigin { summand, halfedge });
+        self.edges.push(EdgeOrigin::new(summand, halfedge));
     }
 }
 
@@ -160,31 +145,53 @@ fn match_crossings([red, blue]: [&GaussianMap<'_>; 2], [in_blue, in_red]: [&Trac
     same
 }
 
-/// Numbers the vertices of the sum, in the order of their red and then the first use of their blue
-/// vertex; gives their points, and the vertex at each corner.
-fn number_corners(
-    red: &GaussianMap<'_>,
-    blue: &GaussianMap<'_>,
-    corners: Vec<Corner>,
-) -> (Vec<Point3>, Vec<VertexId>) {
-    let vertices = red.mesh.vertex_count();
-    let mut starts = vec![0u32; vertices + 1];
-    for corner in &corners {
-        starts[corner.red as usize] += 1;
+/// Calls `corner` with the red and the blue vertex at each corner of the sum, in the order of the
+/// halfedges that start there. Each piece has a vertex on its right (the source of its edge) and one on
+/// its left (the target).
+fn for_each_corner(
+    [red, blue]: [&GaussianMap<'_>; 2],
+    [in_blue, in_red]: &[Trace; 2],
+    mut corner: impl FnMut(VertexId, VertexId),
+) {
+    for piece in &in_blue.pieces {
+        let [left, right] = piece.on.sides(blue);
+        corner(red.mesh.source(piece.arc), right);
+        corner(red.mesh.target(piece.arc), left);
     }
+    for piece in &in_red.pieces {
+        if let Some(v) = piece.on.face() {
+            corner(v, blue.mesh.source(piece.arc));
+            corner(v, blue.mesh.target(piece.arc));
+        }
+    }
+}
+
+/// Numbers the vertices of the sum, in the order of their red and then the first use of their blue
+/// vertex; gives their points, and the vertex at each of the corners.
+fn number_vertices(
+    maps: [&GaussianMap<'_>; 2],
+    traces: &[Trace; 2],
+    corners: usize,
+) -> (Vec<Point3>, Vec<VertexId>) {
+    let [red, blue] = maps;
+    // Counted two places up, so that filling moves each start to where it belongs.
+    let mut starts = vec![0u32; red.mesh.vertex_count() + 2];
+    for_each_corner(maps, traces, |v, _| starts[v.index() + 2] += 1);
     let mut sum = 0;
     for start in &mut starts {
         sum += *start;
-        *start = sum; // the end of each group, which filling from the back moves to its start
+        *start = sum;
     }
-    let mut by_red = vec![[0u32; 2]; corners.len()];
-    for (i, corner) in corners.iter().enumerate().rev() {
-        let slot = &mut starts[corner.red as usize];
-        *slot -= 1;
-        by_red[*slot as usize] = [i as u32, corner.blue];
-    }
-    let mut sources = vec![VertexId(u32::MAX); corners.len()];
-    drop(corners);
+    let mut by_red = vec![[0u32; 2]; sum as usize];
+    let mut i = 0;
+    for_each_corner(maps, traces, |v, w| {
+        let slot = &mut starts[v.index() + 1];
+        by_red[*slot as usize] = [i, w.0];
+        *slot += 1;
+        i += 1;
+    });
+    starts.pop();
+    let mut sources = vec![VertexId(u32::MAX); sum as usize];
     // Over one weight, if it stays narrow, a sum of points is a sum of integers.
     let mut summands = [red.points, blue.points].concat();
     share_weight(&mut summands);
@@ -202,6 +209,7 @@ fn number_corners(
             sources[i as usize] = VertexId(slot.1);
         }
     }
+    sources.truncate(corners);
     (points, sources)
 }
 
@@ -259,9 +267,8 @@ fn merge_digons(sources: &[VertexId], cells: &Cells, degree: &[u32]) -> (Vec<Ver
         let sides = [cells.left[h.index()], cells.left[last.twin().index()]];
         merged.left.extend(sides.map(|f| number[f.index()]));
         new_sources.extend([sources[h.index()], sources[h.twin().index()]]);
-        let EdgeOrigin { summand, halfedge } = cells.edges[h.edge()];
-        let halfedge = if h.0 & 1 == 0 { halfedge } else { halfedge.twin() };
-        merged.edges.push(EdgeOrigin { summand, halfedge });
+        let origin = cells.edges[h.edge()];
+        merged.edges.push(if h.0 & 1 == 0 { origin } else { origin.reversed() });
     }
     (new_sources, merged)
 }

@@ -88,14 +88,22 @@ impl Track {
         Self(arc.0 | Self::ARC)
     }
 
-    /// The blue vertices (faces of the map) on the left and on the right; none if they are the same.
+    /// The face (a blue vertex), if it is not an arc.
     #[inline]
-    pub(super) fn sides(self, blue: &GaussianMap<'_>) -> Result<VertexId, [VertexId; 2]> {
-        if self.0 & Self::ARC == 0 {
-            return Ok(VertexId(self.0));
+    pub(super) fn face(self) -> Option<VertexId> {
+        (self.0 & Self::ARC == 0).then_some(VertexId(self.0))
+    }
+
+    /// The blue vertices (faces of the map) on the left and on the right.
+    #[inline]
+    pub(super) fn sides(self, blue: &GaussianMap<'_>) -> [VertexId; 2] {
+        match self.face() {
+            Some(w) => [w, w],
+            None => {
+                let arc = HalfedgeId(self.0 & !Self::ARC);
+                [blue.mesh.target(arc), blue.mesh.source(arc)]
+            }
         }
-        let arc = HalfedgeId(self.0 & !Self::ARC);
-        Err([blue.mesh.target(arc), blue.mesh.source(arc)])
     }
 }
 
