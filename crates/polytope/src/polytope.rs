@@ -1,6 +1,6 @@
 //! The polytope.
 
-use crate::vectors::{LazyVectors, Vectors};
+use crate::vectors::{LazyVectors, VectorList, Vectors};
 use crate::{Facets, PolygonMesh, hull};
 use dcel::{Edge, FacetId, HalfedgeId, Mesh, VertexId};
 use exact::{Affine3, Plane, Point3, Sign, Vector3, predicate};
@@ -77,7 +77,12 @@ impl Polytope {
     /// A single point.
     pub fn point(point: Point3) -> Self {
         let mesh = Mesh::from_edges(0, 0, &[]);
-        Self { dimension: 0, points: vec![point], mesh, vectors: LazyVectors::given(Vec::new(), Vec::new()) }
+        Self {
+            dimension: 0,
+            points: vec![point],
+            mesh,
+            vectors: LazyVectors::given(VectorList::Narrow(Vec::new()), Vec::new()),
+        }
     }
 
     /// The segment between two points; a single point if they are equal.
@@ -85,7 +90,7 @@ impl Polytope {
         if source == target {
             return Self::point(source);
         }
-        let edges = vec![source.direction_to(&target)];
+        let edges = VectorList::from_iter([source.direction_to(&target)]);
         let mesh = Mesh::from_edges(2, 1, &[Edge { source: 0, target: 1, left: 0, right: 0 }]);
         Self {
             dimension: 1,
@@ -101,7 +106,7 @@ impl Polytope {
         let edge = |i| Edge { source: i, target: (i + 1) % n, left: 0, right: 1 };
         let mesh = Mesh::from_edges(points.len(), 2, &(0..n).map(edge).collect::<Vec<_>>());
         let edges = edge_vectors(&points, &mesh);
-        let front = edges[0].cross(&edges[1]);
+        let front = edges.get(0).cross(&edges.get(1));
         let normals = vec![front.clone(), -front];
         Self { dimension: 2, points, mesh, vectors: LazyVectors::given(edges, normals) }
     }
@@ -252,7 +257,7 @@ impl Polytope {
 }
 
 /// The vector of the even halfedge of every edge.
-pub(crate) fn edge_vectors(points: &[Point3], mesh: &Mesh) -> Vec<Vector3> {
+pub(crate) fn edge_vectors(points: &[Point3], mesh: &Mesh) -> VectorList {
     mesh.edges()
         .map(|h| points[mesh.source(h).index()].direction_to(&points[mesh.target(h).index()]))
         .collect()
@@ -260,10 +265,10 @@ pub(crate) fn edge_vectors(points: &[Point3], mesh: &Mesh) -> Vec<Vector3> {
 
 /// The cross product of a halfedge and the next one: a normal of their facet, outwards if the corner
 /// between them is strictly convex, zero if it is straight.
-pub(crate) fn corner_normal(mesh: &Mesh, edges: &[Vector3], h: HalfedgeId) -> Vector3 {
+pub(crate) fn corner_normal(mesh: &Mesh, edges: &VectorList, h: HalfedgeId) -> Vector3 {
     let next = mesh.next(h);
-    let (a, b) = (&edges[h.edge()], &edges[next.edge()]);
-    if (h.0 ^ next.0) & 1 == 0 { a.cross(b) } else { b.cross(a) }
+    let (a, b) = (edges.get(h.edge()), edges.get(next.edge()));
+    if (h.0 ^ next.0) & 1 == 0 { a.cross(&b) } else { b.cross(&a) }
 }
 
 /// The first axis along which a vector other than zero is not zero: what lies in a plane with that
@@ -274,7 +279,7 @@ pub(crate) fn nonzero_axis(vector: &Vector3) -> usize {
 
 /// The side of the circle with normal `h` on which `normal` lies, for a halfedge of either parity.
 #[inline]
-pub(crate) fn side(edges: &[Vector3], normal: &Vector3, h: HalfedgeId) -> Sign {
-    let sign = predicate::side_of_circle(normal, &edges[h.edge()]);
+pub(crate) fn side(edges: &VectorList, normal: &Vector3, h: HalfedgeId) -> Sign {
+    let sign = predicate::side_of_circle(normal, &edges.get(h.edge()));
     if h.0 & 1 == 0 { sign } else { -sign }
 }

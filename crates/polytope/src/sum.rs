@@ -58,7 +58,7 @@ fn sum_of_two(p: &Polytope, q: &Polytope) -> (Polytope, OverlayCounts) {
     match (p.dimension, q.dimension) {
         (0, _) => (translated(q, &p.points[0]), none),
         (_, 0) => (translated(p, &q.points[0]), none),
-        (1, 1) if p.vectors().edges[0].cross(&q.vectors().edges[0]).is_zero() => {
+        (1, 1) if p.vectors().edges.get(0).cross(&q.vectors().edges.get(0)).is_zero() => {
             (sum_of_parallel_segments(p, q), none)
         }
         _ => overlay::sum(p, q),
@@ -75,7 +75,7 @@ fn translated(p: &Polytope, by: &Point3) -> Polytope {
 }
 
 fn sum_of_parallel_segments(p: &Polytope, q: &Polytope) -> Polytope {
-    let (a, b) = match predicate::same_direction(&p.vectors().edges[0], &q.vectors().edges[0]) {
+    let (a, b) = match predicate::same_direction(&p.vectors().edges.get(0), &q.vectors().edges.get(0)) {
         Sign::Negative => (1, 0),
         _ => (0, 1),
     };

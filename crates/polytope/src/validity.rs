@@ -75,7 +75,7 @@ impl Polytope {
             let [source, target] =
                 [self.mesh.source(h), self.mesh.target(h)].map(|v| &self.points[v.index()]);
             let along = source.direction_to(target);
-            let vector = &self.vectors().edges[h.edge()];
+            let vector = &self.vectors().edges.get(h.edge());
             if vector.is_zero()
                 || !vector.cross(&along).is_zero()
                 || predicate::same_direction(vector, &along) != Sign::Positive

@@ -8,11 +8,61 @@ use dcel::HalfedgeId;
 use exact::Vector3;
 use std::sync::{Arc, OnceLock};
 
+/// Vectors in a list: three machine integers each as long as all are narrow.
+///
+/// Edges nearly always are, and a list of them is then a third as large.
+#[derive(Debug)]
+pub(crate) enum VectorList {
+    Narrow(Vec<[i64; 3]>),
+    Any(Vec<Vector3>),
+}
+
+impl VectorList {
+    pub(crate) fn get(&self, index: usize) -> Vector3 {
+        match self {
+            Self::Narrow(list) => Vector3::from_i64(list[index]),
+            Self::Any(list) => list[index].clone(),
+        }
+    }
+
+    pub(crate) fn len(&self) -> usize {
+        match self {
+            Self::Narrow(list) => list.len(),
+            Self::Any(list) => list.len(),
+        }
+    }
+
+    pub(crate) fn iter(&self) -> impl ExactSizeIterator<Item = Vector3> + '_ {
+        (0..self.len()).map(|i| self.get(i))
+    }
+}
+
+impl FromIterator<Vector3> for VectorList {
+    fn from_iter<T: IntoIterator<Item = Vector3>>(vectors: T) -> Self {
+        let mut vectors = vectors.into_iter();
+        let mut narrow = Vec::with_capacity(vectors.size_hint().0);
+        let wider = vectors.by_ref().find(|vector| match vector.as_narrow() {
+            Some(coordinates) => {
+                narrow.push(*coordinates);
+                false
+            }
+            None => true,
+        });
+        match wider {
+            None => Self::Narrow(narrow),
+            Some(_) => {
+                let before = narrow.into_iter().map(Vector3::from_i64);
+                Self::Any(before.chain(wider).chain(vectors).collect())
+            }
+        }
+    }
+}
+
 /// The vectors of a polytope.
 #[derive(Debug)]
 pub(crate) struct Vectors {
     /// A positive multiple of target minus source, for the even halfedge of each edge.
-    pub(crate) edges: Vec<Vector3>,
+    pub(crate) edges: VectorList,
     /// An outer normal of each facet (none in dimension 1).
     pub(crate) normals: Vec<Vector3>,
 }
@@ -20,8 +70,8 @@ pub(crate) struct Vectors {
 impl Vectors {
     /// The vector of a halfedge of either parity.
     pub(crate) fn of_halfedge(&self, h: HalfedgeId) -> Vector3 {
-        let vector = &self.edges[h.edge()];
-        if h.0 & 1 == 0 { vector.clone() } else { -vector }
+        let vector = self.edges.get(h.edge());
+        if h.0 & 1 == 0 { vector } else { -vector }
     }
 }
 
@@ -77,8 +127,8 @@ impl Origins {
             FacetOrigin::Second(f) => second.normals[f as usize].clone(),
             FacetOrigin::Edges([r, b]) => {
                 let same = (r.0 ^ b.0) & 1 == 0;
-                let (r, b) = (&first.edges[r.edge()], &second.edges[b.edge()]);
-                if same { r.cross(b) } else { b.cross(r) }
+                let (r, b) = (first.edges.get(r.edge()), second.edges.get(b.edge()));
+                if same { r.cross(&b) } else { b.cross(&r) }
             }
         };
         Vectors {
@@ -96,7 +146,7 @@ pub(crate) struct LazyVectors {
 }
 
 impl LazyVectors {
-    pub(crate) fn given(edges: Vec<Vector3>, normals: Vec<Vector3>) -> Self {
+    pub(crate) fn given(edges: VectorList, normals: Vec<Vector3>) -> Self {
         Self { made: OnceLock::from(Arc::new(Vectors { edges, normals })), origins: None }
     }
 

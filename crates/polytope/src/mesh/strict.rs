@@ -2,6 +2,7 @@
 
 use super::error::MeshError;
 use crate::polytope::{corner_normal, edge_vectors, nonzero_axis, side};
+use crate::vectors::VectorList;
 use dcel::{HalfedgeId, Mesh};
 use exact::{Integer, Point3, Rational, Sign, Vector3, predicate};
 
@@ -9,7 +10,7 @@ use exact::{Integer, Point3, Rational, Sign, Vector3, predicate};
 pub(super) struct Surface<'m> {
     pub(super) points: &'m [Point3],
     pub(super) mesh: &'m Mesh,
-    pub(super) edges: Vec<Vector3>,
+    pub(super) edges: VectorList,
     /// Zero for a facet whose corners are collinear.
     pub(super) normals: Vec<Vector3>,
 }
@@ -111,12 +112,13 @@ impl<'m> Surface<'m> {
         }
         let next = self.mesh.next(h.twin());
         if self.mesh.next(self.mesh.next(next)) == h.twin() {
-            return side(&self.edges, l, next); // a triangle
+            // A triangle: its third corner shows the turn.
+            let [on, third] = [self.mesh.source(next), self.mesh.target(next)];
+            return predicate::plane_side(l, &self.points[on.index()], &self.points[third.index()]);
         }
         // The turn of the normals about the edge, from the left to the right facet: counterclockwise
         // at a convex edge.
-        let axis = &self.edges[h.edge()];
-        let turn = predicate::circle_order(axis, l, r);
+        let turn = predicate::circle_order(&self.edges.get(h.edge()), l, r);
         if h.0 & 1 == 0 { -turn } else { turn }
     }
 

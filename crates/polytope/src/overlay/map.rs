@@ -16,7 +16,7 @@
 //! sum takes them out again.
 
 use crate::Polytope;
-use crate::vectors::Vectors;
+use crate::vectors::{VectorList, Vectors};
 use dcel::{Edge, FacetId, HalfedgeId, Mesh, VertexId};
 use exact::predicate::{self, Floats3};
 use exact::{Integer, Point3, Sign, Vector3};
@@ -54,7 +54,7 @@ pub(super) struct Normal<'b> {
 pub(super) struct GaussianMap<'b> {
     pub(super) points: &'b [Point3],
     pub(super) mesh: &'b Mesh,
-    pub(super) edges: &'b [Vector3],
+    pub(super) edges: &'b VectorList,
     pub(super) normals: &'b [Vector3],
     /// Their floats, close together: nearly all that the walk reads of them.
     edge_floats: Vec<Floats3>,
@@ -78,7 +78,7 @@ impl<'b> GaussianMap<'b> {
             mesh,
             edges: &boundary.vectors.edges,
             normals: &boundary.vectors.normals,
-            edge_floats: boundary.vectors.edges.iter().map(Floats3::of).collect(),
+            edge_floats: boundary.vectors.edges.iter().map(|vector| Floats3::of(&vector)).collect(),
             normal_floats: boundary.vectors.normals.iter().map(Floats3::of).collect(),
             ring: Vec::with_capacity(mesh.halfedge_count()),
             ring_starts: Vec::with_capacity(mesh.vertex_count() + 1),
@@ -125,8 +125,15 @@ impl<'b> GaussianMap<'b> {
     pub(super) fn side(&self, normal: Normal<'_>, arc: HalfedgeId) -> Sign {
         let edge = arc.edge();
         let sign = predicate::side_of_floats(&normal.floats, &self.edge_floats[edge])
-            .unwrap_or_else(|| predicate::side_of_circle(normal.exact, &self.edges[edge]));
+            .unwrap_or_else(|| self.exact_side(normal, edge));
         if arc.0 & 1 == 0 { sign } else { -sign }
+    }
+
+    /// Rare, and kept out of the walk's code.
+    #[cold]
+    #[inline(never)]
+    fn exact_side(&self, normal: Normal<'_>, edge: usize) -> Sign {
+        predicate::side_of_circle(normal.exact, &self.edges.get(edge))
     }
 
     /// Where the arc of `h` ends.
@@ -138,7 +145,7 @@ impl<'b> GaussianMap<'b> {
     /// For two directions `a` and `b` on the great circle of `arc`: positive if `b` comes after `a`
     /// by less than a half circle, zero if they are the same or opposite.
     pub(super) fn order_on(&self, arc: HalfedgeId, a: Normal<'_>, b: Normal<'_>) -> Sign {
-        let sign = predicate::circle_order(&self.edges[arc.edge()], a.exact, b.exact);
+        let sign = predicate::circle_order(&self.edges.get(arc.edge()), a.exact, b.exact);
         if arc.0 & 1 == 0 { sign } else { -sign }
     }
 }
@@ -146,7 +153,7 @@ impl<'b> GaussianMap<'b> {
 /// The axes of two arcs of two maps: positive if they turn the same way about parallel axes.
 #[inline]
 pub(super) fn same_turn(red: &GaussianMap<'_>, r: HalfedgeId, blue: &GaussianMap<'_>, b: HalfedgeId) -> Sign {
-    let sign = predicate::same_direction(&red.edges[r.edge()], &blue.edges[b.edge()]);
+    let sign = predicate::same_direction(&red.edges.get(r.edge()), &blue.edges.get(b.edge()));
     if (r.0 ^ b.0) & 1 == 0 { sign } else { -sign }
 }
 
@@ -173,12 +180,12 @@ fn of_polygon(polytope: &Polytope) -> Parts<'_> {
         normals.push(vector.cross(&given.normals[0]).primitive());
     }
     let mesh = Mesh::from_edges(n as usize, 2 + n as usize, &edges);
-    (Cow::Owned(mesh), Arc::new(Vectors { edges: vectors, normals }))
+    (Cow::Owned(mesh), Arc::new(Vectors { edges: vectors.into_iter().collect(), normals }))
 }
 
 /// One great circle, cut at four normals a quarter turn apart.
 fn of_segment(polytope: &Polytope) -> Parts<'_> {
-    let vector = &polytope.vectors().edges[0];
+    let vector = &polytope.vectors().edges.get(0);
     let axes: [Vector3; 3] = std::array::from_fn(|axis| {
         Vector3::new(std::array::from_fn(|i| Integer::from(i64::from(i == axis))))
     });
@@ -188,6 +195,6 @@ fn of_segment(polytope: &Polytope) -> Parts<'_> {
     let normals = vec![a.clone(), b.clone(), -a, -b];
     let edges: Vec<Edge> =
         (0..4).map(|i| Edge { source: 0, target: 1, left: i, right: (i + 1) % 4 }).collect();
-    let vectors = Vectors { edges: vec![vector.clone(); 4], normals };
+    let vectors = Vectors { edges: std::iter::repeat_n(vector.clone(), 4).collect(), normals };
     (Cow::Owned(Mesh::from_edges(2, 4, &edges)), Arc::new(vectors))
 }
