@@ -1,5 +1,7 @@
 //! From meshes as files have them to polytopes: what is mended, what is refused, and what is said.
 
+#![allow(clippy::print_stdout, reason = "tests print their seeds and what they have met")]
+
 use exact::{Point3, Rational, Vector3};
 use splitstar_polytope::{
     Defect, MeshError, MeshSummary, Note, PolygonMesh, Polytope, convex_hull, hull_depth,
