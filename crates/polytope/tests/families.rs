@@ -1,5 +1,7 @@
 //! Sums of which everything is known: prisms, bipyramids, zonotopes, geodesic spheres; and large facets.
 
+#![allow(clippy::print_stdout, reason = "tests print their seeds and what they have met")]
+
 use exact::Point3;
 use splitstar_polytope::{Polytope, convex_hull, minkowski_sum, minkowski_sum_by_hull, overlay_counts};
 use testkit::{

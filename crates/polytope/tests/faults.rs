@@ -1,6 +1,8 @@
 //! Do the oracles see mistakes? Six faults are injected, and each must be caught: by a panic inside, by
 //! `check_valid`, or by comparison with the hull of all pairwise vertex sums.
 
+#![allow(clippy::print_stdout, reason = "tests print their seeds and what they have met")]
+
 use splitstar_polytope::fault::{Fault, with_fault};
 use splitstar_polytope::{Polytope, minkowski_sum, minkowski_sum_by_hull};
 use std::collections::BTreeMap;

@@ -1,5 +1,7 @@
 //! Laws of the Minkowski sum: order of the summands, rotation, reflection, scaling, translation, width.
 
+#![allow(clippy::print_stdout, reason = "tests print their seeds and what they have met")]
+
 use exact::{Affine3, Point3};
 use splitstar_polytope::{Polytope, convex_hull, minkowski_sum, minkowski_sum_by_hull};
 use testkit::{

@@ -1,6 +1,8 @@
 //! Sums of random polytopes by both methods. The boxes are small, so that coincidences are the rule; all
 //! that were met are counted, and a suite that meets too few of a kind fails.
 
+#![allow(clippy::print_stdout, reason = "tests print their seeds and what they have met")]
+
 use exact::{Affine3, Sign, Vector3};
 use splitstar_polytope::{Polytope, minkowski_sum, minkowski_sum_by_hull, overlay_counts};
 use std::collections::BTreeMap;

@@ -3,6 +3,8 @@
 //! Forcing holds for the whole process: so these tests are a program of their own, and the others run
 //! the usual cascade.
 
+#![allow(clippy::print_stdout, reason = "tests print their seeds and what they have met")]
+
 use exact::tier::{Stage, Start, force, thread_counts};
 use splitstar_polytope::{Polytope, minkowski_sum, minkowski_sum_by_hull, overlay_counts};
 use testkit::{Rng, SumRow, around, assert_same, rotation, wide_hull};
