@@ -1,7 +1,6 @@
 //! What is wrong with a mesh, in the lines of its file.
 
 use crate::input::Operand;
-
 use splitstar::exact::Rational;
 use splitstar::polytope::{Defect, MeshError};
 

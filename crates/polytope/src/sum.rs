@@ -23,11 +23,13 @@ use exact::{Point3, Sign, predicate};
 /// # Complexity
 /// For two summands linear in the numbers of their cells and of those of the sum, if vertices have a
 /// bounded number of edges; in general a step from arc to arc costs the logarithm of that number.
-/// All decisions are signs of polynomials of degree 3 in the edge vectors of the summands (degree 5
-/// where an arc of a polygon or segment runs along another arc).
+/// All decisions are signs of scalar products of a normal of one summand and an edge vector of the
+/// other: degree 3 in the edge vectors of solids. The cuts in the long arcs of polygons and segments
+/// are normals of degree 3 themselves; where an arc runs along another one past such a cut, a
+/// determinant of an edge vector and two normals decides.
 ///
 /// # References
-/// Thesis, section 3.1; `ARCHITECTURE.md`, "The sum".
+/// Thesis, section 3.1; `ARCHITECTURE.md`, "How a sum is computed".
 pub fn minkowski_sum(summands: &[&Polytope]) -> Polytope {
     merge(summands, &|p, q| sum_of_two(p, q).0)
 }

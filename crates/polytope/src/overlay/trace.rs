@@ -80,11 +80,15 @@ pub(super) struct Track(u32);
 impl Track {
     const ARC: u32 = 1 << 31;
 
+    #[inline]
     fn inside(face: VertexId) -> Self {
+        assert!(face.0 < Self::ARC, "a summand has fewer than 2^31 vertices");
         Self(face.0)
     }
 
+    #[inline]
     fn along(arc: HalfedgeId) -> Self {
+        assert!(arc.0 < Self::ARC, "a summand has fewer than 2^31 halfedges");
         Self(arc.0 | Self::ARC)
     }
 
