@@ -7,6 +7,7 @@
 
 mod depth;
 mod error;
+mod flat;
 mod strict;
 mod summary;
 mod weld;
@@ -16,11 +17,10 @@ pub use error::{MeshError, Note};
 pub use summary::MeshSummary;
 
 use crate::measure::signed_volume;
-use crate::polytope::nonzero_axis;
 use crate::vectors::LazyVectors;
 use crate::{PolygonMesh, Polytope, convex_hull};
 use dcel::{Defect, FacetId, HalfedgeId, Mesh};
-use exact::{Point3, Rational, Sign, Vector3};
+use exact::{Rational, Sign, Vector3};
 use std::collections::HashMap;
 use strict::Surface;
 use weld::Compact;
@@ -221,7 +221,7 @@ impl Check<'_> {
                 });
             }
             2 => {
-                if !self.covers_once(&surface, &hull) {
+                if !flat::covers_once(&surface, &self.compact, &hull) {
                     return Err(self.not_on_hull(FacetId(0)));
                 }
                 self.notes.push(Note::Flat { dimension: 2 });
@@ -236,36 +236,11 @@ impl Check<'_> {
         }
         Ok(hull)
     }
-
-    /// Whether the facets of a flat surface that face the front of a polygon have its area.
-    fn covers_once(&self, surface: &Surface<'_>, polygon: &Polytope) -> bool {
-        let front = &polygon.vectors().normals[0];
-        let axis = nonzero_axis(front);
-        let faces_front = |f: &FacetId| surface.normals[f.index()].sign(axis) == front.sign(axis);
-        let covered = self.mesh.facets().filter(faces_front).fold(Rational::from(0), |sum, f| {
-            sum + twice_area(&self.compact.points, self.compact.facets.get(f.index()), axis)
-        });
-        let cycle: Vec<u32> = polygon.facet_cycle(FacetId(0)).map(|v| v.0).collect();
-        covered == twice_area(&polygon.points, &cycle, axis)
-    }
-}
-
-/// Twice the signed area of a cycle seen along an axis.
-fn twice_area(points: &[Point3], cycle: &[u32], axis: usize) -> Rational {
-    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-    let corner = |k: usize| &points[cycle[k % cycle.len()] as usize];
-    (0..cycle.len()).fold(Rational::from(0), |sum, k| {
-        let (p, q) = (corner(k), corner(k + 1));
-        sum + p.coordinate(i) * q.coordinate(j) - p.coordinate(j) * q.coordinate(i)
-    })
 }
 
 /// The first facet of the surface that does not lie on the facet of the hull with the same normal.
 fn first_off_hull(surface: &Surface<'_>, hull: &Polytope) -> Option<FacetId> {
-    let key = |normal: &Vector3| {
-        let primitive = normal.primitive();
-        [0, 1, 2].map(|axis| primitive.coordinate(axis))
-    };
+    let key = |normal: &Vector3| normal.primitive().coordinates();
     let by_normal: HashMap<_, _> = hull.mesh.facets().map(|f| (key(hull.facet_normal(f)), f)).collect();
     surface.mesh.facets().find(|f| {
         let normal = &surface.normals[f.index()];

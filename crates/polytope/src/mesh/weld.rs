@@ -78,6 +78,13 @@ impl Compact {
         Self { points, facets, vertex_names, facet_names, unused: self.unused }
     }
 
+    /// For each vertex the first one at the same position.
+    pub(super) fn weld_labels(&self) -> Vec<u32> {
+        let mut first = HashMap::with_capacity(self.points.len());
+        let label = |(v, point): (usize, &Point3)| *first.entry(point.canonical_key()).or_insert(v as u32);
+        self.points.iter().enumerate().map(label).collect()
+    }
+
     pub(super) fn reverse(&mut self) {
         self.facets.reverse();
     }
