@@ -246,3 +246,21 @@ fn float_meshes() {
         });
     }
 }
+
+/// The same summands give the same bytes with any number of threads.
+#[test]
+fn threads_change_nothing() {
+    cases(0x1a0_000a, 60, |rng, context| {
+        let polytopes: Vec<Polytope> = (0..rng.between(4, 9)).map(|_| any(rng, 5)).collect();
+        let summands: Vec<&Polytope> = polytopes.iter().collect();
+        let with = |threads: usize| {
+            let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+            let mesh = pool.install(|| minkowski_sum(&summands)).to_mesh();
+            (mesh.points.iter().map(Point3::homogeneous).collect::<Vec<_>>(), mesh.facets)
+        };
+        let one = with(1);
+        for threads in [2, 3, 8] {
+            assert!(with(threads) == one, "{threads} threads, {context}");
+        }
+    });
+}
