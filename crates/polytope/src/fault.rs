@@ -4,7 +4,7 @@
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[cfg_attr(not(feature = "faults"), expect(unreachable_pub, reason = "public with the feature only"))]
 pub enum Fault {
-    /// The normal of the first crossing points inwards.
+    /// The normal of the last crossing points inwards.
     FlippedNormal,
     /// An edge of the sum is left out.
     DroppedEdge,

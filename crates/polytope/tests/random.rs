@@ -26,7 +26,6 @@ impl Census {
         self.add("common normals", counts.common_normals);
         self.add("normals on arcs", counts.normals_on_arcs);
         self.add("arcs along arcs", counts.overlaps);
-        self.add("arcs through normals", counts.arcs_through_normals);
         let edges = [p, q].map(edge_vectors);
         let normals = [p, q].map(facet_normals);
         let parallel = |a: &[Vector3], b: &[Vector3], sign: Sign| {

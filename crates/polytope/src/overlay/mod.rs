@@ -29,8 +29,6 @@ pub struct OverlayCounts {
     pub normals_on_arcs: usize,
     /// Times that an arc ran along one of the other map.
     pub overlaps: usize,
-    /// Times that an arc went on through a normal of the other polytope.
-    pub arcs_through_normals: usize,
 }
 
 /// The sum of two polytopes of dimension 1 to 3, not two parallel segments; and how their maps meet.
@@ -44,7 +42,6 @@ pub(crate) fn sum(p: &Polytope, q: &Polytope) -> (Polytope, OverlayCounts) {
         common_normals: in_blue.counts.common_normals,
         normals_on_arcs: in_blue.counts.normals_on_arcs + in_red.counts.normals_on_arcs,
         overlaps: in_blue.counts.overlaps,
-        arcs_through_normals: in_blue.counts.arcs_through_normals + in_red.counts.arcs_through_normals,
     };
     let summands = [p.vectors.clone(), q.vectors.clone()];
     (assemble::assemble([&red, &blue], [in_blue, in_red], summands), counts)

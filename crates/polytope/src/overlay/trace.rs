@@ -307,7 +307,6 @@ impl Walk<'_> {
 
     /// On through the blue vertex `m`, of which `leaving` is one of the arcs.
     fn through_vertex(&mut self, r: HalfedgeId, target: Normal<'_>, m: FacetId, leaving: HalfedgeId) -> Step {
-        self.trace.counts.arcs_through_normals += 1;
         Step::On(Node::new(Kind::Blue(m.0)), self.leave_vertex(r, target, leaving).0)
     }
 
