@@ -5,7 +5,7 @@
 //! overlay, and each piece of a walk knows all four neighbours of one: so the mesh follows from the
 //! list of pieces by counting sorts, without looking for anything.
 
-use super::map::GaussianMap;
+use super::map::Boundary;
 use super::trace::{Kind, Place, Trace};
 use crate::Polytope;
 use crate::fault::{Fault, injected};
@@ -25,11 +25,7 @@ struct Cells {
 }
 
 /// Joins the walk of red through blue with that of blue through red.
-pub(super) fn assemble(
-    [red, blue]: [&GaussianMap<'_>; 2],
-    [in_blue, in_red]: [Trace; 2],
-    summands: [Arc<Vectors>; 2],
-) -> Polytope {
+pub(super) fn assemble([red, blue]: [&Boundary<'_>; 2], [in_blue, in_red]: [Trace; 2]) -> Polytope {
     // Facets: the red ones, the blue ones that are not red too, the crossings.
     let mut blue_facet = vec![u32::MAX; blue.mesh.facet_count()];
     for (f, place) in in_blue.places.iter().enumerate() {
@@ -97,7 +93,7 @@ pub(super) fn assemble(
         cells.left.truncate(2 * cells.edges.len());
     }
     let (points, sources) = number_vertices([red, blue], &[in_blue, in_red], cells.left.len());
-    finish(points, sources, cells, summands)
+    finish(points, sources, cells, [&red.vectors, &blue.vectors].map(Arc::clone))
 }
 
 impl Cells {
@@ -110,7 +106,7 @@ impl Cells {
 }
 
 /// For each crossing of the second walk its index in the first: two arcs cross at most once.
-fn match_crossings([red, blue]: [&GaussianMap<'_>; 2], [in_blue, in_red]: [&Trace; 2]) -> Vec<u32> {
+fn match_crossings([red, blue]: [&Boundary<'_>; 2], [in_blue, in_red]: [&Trace; 2]) -> Vec<u32> {
     let (red_edges, blue_edges) = (red.mesh.edge_count(), blue.mesh.edge_count());
     assert_eq!(in_blue.crossings.len(), in_red.crossings.len(), "both walks meet the same crossings");
     // The second walk's crossings by red edge. There, "red" is the map that walks: our blue one.
@@ -149,12 +145,12 @@ fn match_crossings([red, blue]: [&GaussianMap<'_>; 2], [in_blue, in_red]: [&Trac
 /// halfedges that start there. Each piece has a vertex on its right (the source of its edge) and one on
 /// its left (the target).
 fn for_each_corner(
-    [red, blue]: [&GaussianMap<'_>; 2],
+    [red, blue]: [&Boundary<'_>; 2],
     [in_blue, in_red]: &[Trace; 2],
     mut corner: impl FnMut(VertexId, VertexId),
 ) {
     for piece in &in_blue.pieces {
-        let [left, right] = piece.on.sides(blue);
+        let [left, right] = piece.on.sides(&blue.mesh);
         corner(red.mesh.source(piece.arc), right);
         corner(red.mesh.target(piece.arc), left);
     }
@@ -169,7 +165,7 @@ fn for_each_corner(
 /// Numbers the vertices of the sum, in the order of their red and then the first use of their blue
 /// vertex; gives their points, and the vertex at each of the corners.
 fn number_vertices(
-    maps: [&GaussianMap<'_>; 2],
+    maps: [&Boundary<'_>; 2],
     traces: &[Trace; 2],
     corners: usize,
 ) -> (Vec<Point3>, Vec<VertexId>) {

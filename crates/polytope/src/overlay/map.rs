@@ -25,8 +25,8 @@ use std::sync::Arc;
 
 /// What a Gaussian map is read off: the boundary of a polytope, with digons if its dimension is lower.
 pub(super) struct Boundary<'p> {
-    points: &'p [Point3],
-    mesh: Cow<'p, Mesh>,
+    pub(super) points: &'p [Point3],
+    pub(super) mesh: Cow<'p, Mesh>,
     pub(super) vectors: Arc<Vectors>,
 }
 

@@ -17,6 +17,7 @@ mod map;
 mod trace;
 
 use crate::Polytope;
+use map::{Boundary, GaussianMap};
 
 /// How the arcs of two Gaussian maps meet: what degeneracies a sum has met.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -33,16 +34,17 @@ pub struct OverlayCounts {
 
 /// The sum of two polytopes of dimension 1 to 3, not two parallel segments; and how their maps meet.
 pub(crate) fn sum(p: &Polytope, q: &Polytope) -> (Polytope, OverlayCounts) {
-    let (p, q) = (map::Boundary::of(p), map::Boundary::of(q));
-    let (red, blue) = (map::GaussianMap::new(&p), map::GaussianMap::new(&q));
-    let in_blue = trace::trace(&red, &blue);
-    let in_red = trace::trace(&blue, &red);
+    let (p, q) = (Boundary::of(p), Boundary::of(q));
+    // The maps go before the sum is assembled: it needs the memory.
+    let (in_blue, in_red) = {
+        let (red, blue) = (GaussianMap::new(&p), GaussianMap::new(&q));
+        (trace::trace(&red, &blue), trace::trace(&blue, &red))
+    };
     let counts = OverlayCounts {
         crossings: in_blue.counts.crossings,
         common_normals: in_blue.counts.common_normals,
         normals_on_arcs: in_blue.counts.normals_on_arcs + in_red.counts.normals_on_arcs,
         overlaps: in_blue.counts.overlaps,
     };
-    let summands = [p.vectors.clone(), q.vectors.clone()];
-    (assemble::assemble([&red, &blue], [in_blue, in_red], summands), counts)
+    (assemble::assemble([&p, &q], [in_blue, in_red]), counts)
 }

@@ -20,7 +20,7 @@
 use super::OverlayCounts;
 use super::map::{GaussianMap, Normal, same_turn};
 use crate::fault::{Fault, injected};
-use dcel::{FacetId, HalfedgeId, VertexId};
+use dcel::{FacetId, HalfedgeId, Mesh, VertexId};
 use exact::Sign;
 
 /// A vertex of the overlay, as one trace sees it: a [`Kind`] in four bytes.
@@ -100,12 +100,12 @@ impl Track {
 
     /// The blue vertices (faces of the map) on the left and on the right.
     #[inline]
-    pub(super) fn sides(self, blue: &GaussianMap<'_>) -> [VertexId; 2] {
+    pub(super) fn sides(self, blue: &Mesh) -> [VertexId; 2] {
         match self.face() {
             Some(w) => [w, w],
             None => {
                 let arc = HalfedgeId(self.0 & !Self::ARC);
-                [blue.mesh.target(arc), blue.mesh.source(arc)]
+                [blue.target(arc), blue.source(arc)]
             }
         }
     }
