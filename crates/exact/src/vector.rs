@@ -247,17 +247,33 @@ impl Vector3 {
         if let (Repr::Narrow { bits: m, coordinates: a }, Repr::Narrow { bits: n, coordinates: b }) =
             (&self.repr, &other.repr)
         {
-            if m + n < 62 {
-                // |c| < 2 * 2^61: one machine word.
-                let ([ax, ay, az], [bx, by, bz]) = (a, b);
-                return Self::from_i64([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]);
-            }
-            let [ax, ay, az] = a.map(i128::from);
-            let [bx, by, bz] = b.map(i128::from);
-            // |c| <= 2 (2^62 - 1)^2 < 2^125.
-            return Self::from_i128([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]);
+            return Self::narrow_cross((u32::from(*m), a), (u32::from(*n), b));
         }
         self.cross_wide(other)
+    }
+
+    /// Gives the vector product of coordinates below 2^62 in magnitude, those of narrow vectors.
+    ///
+    /// # Panics
+    /// In debug builds, if a coordinate is not below 2^62 in magnitude.
+    #[inline]
+    pub fn cross_of_i64(a: &[i64; 3], b: &[i64; 3]) -> Self {
+        Self::narrow_cross((bits_of_i64(a), a), (bits_of_i64(b), b))
+    }
+
+    /// With the numbers of bits.
+    #[inline]
+    fn narrow_cross((m, a): (u32, &[i64; 3]), (n, b): (u32, &[i64; 3])) -> Self {
+        debug_assert!(m.max(n) <= NARROW_BITS);
+        if m + n < 62 {
+            // |c| < 2 * 2^61: one machine word.
+            let ([ax, ay, az], [bx, by, bz]) = (a, b);
+            return Self::from_i64([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]);
+        }
+        let [ax, ay, az] = a.map(i128::from);
+        let [bx, by, bz] = b.map(i128::from);
+        // |c| <= 2 (2^62 - 1)^2 < 2^125.
+        Self::from_i128([ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx])
     }
 
     #[inline(never)]

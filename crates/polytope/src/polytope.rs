@@ -106,7 +106,7 @@ impl Polytope {
         let edge = |i| Edge { source: i, target: (i + 1) % n, left: 0, right: 1 };
         let mesh = Mesh::from_edges(points.len(), 2, &(0..n).map(edge).collect::<Vec<_>>());
         let edges = edge_vectors(&points, &mesh);
-        let front = edges.get(0).cross(&edges.get(1));
+        let front = edges.cross(0, 1);
         let normals = vec![front.clone(), -front];
         Self { dimension: 2, points, mesh, vectors: LazyVectors::given(edges, normals) }
     }
@@ -267,8 +267,8 @@ pub(crate) fn edge_vectors(points: &[Point3], mesh: &Mesh) -> VectorList {
 /// between them is strictly convex, zero if it is straight.
 pub(crate) fn corner_normal(mesh: &Mesh, edges: &VectorList, h: HalfedgeId) -> Vector3 {
     let next = mesh.next(h);
-    let (a, b) = (edges.get(h.edge()), edges.get(next.edge()));
-    if (h.0 ^ next.0) & 1 == 0 { a.cross(&b) } else { b.cross(&a) }
+    let (a, b) = (h.edge(), next.edge());
+    if (h.0 ^ next.0) & 1 == 0 { edges.cross(a, b) } else { edges.cross(b, a) }
 }
 
 /// The first axis along which a vector other than zero is not zero: what lies in a plane with that

@@ -25,6 +25,15 @@ impl VectorList {
         }
     }
 
+    /// The cross product of two of the vectors.
+    #[inline]
+    pub(crate) fn cross(&self, first: usize, second: usize) -> Vector3 {
+        match self {
+            Self::Narrow(list) => Vector3::cross_of_i64(&list[first], &list[second]),
+            Self::Any(list) => list[first].cross(&list[second]),
+        }
+    }
+
     pub(crate) fn len(&self) -> usize {
         match self {
             Self::Narrow(list) => list.len(),

@@ -1,7 +1,7 @@
 //! The fast check: is a mesh, as it stands, the boundary of a convex polytope?
 
 use super::error::MeshError;
-use crate::polytope::{corner_normal, edge_vectors, nonzero_axis, side};
+use crate::polytope::{corner_normal, edge_vectors, nonzero_axis};
 use crate::vectors::VectorList;
 use dcel::{HalfedgeId, Mesh};
 use exact::{Integer, Point3, Rational, Sign, Vector3, predicate};
@@ -13,6 +13,8 @@ pub(super) struct Surface<'m> {
     pub(super) edges: VectorList,
     /// Zero for a facet whose corners are collinear.
     pub(super) normals: Vec<Vector3>,
+    /// Whether every corner of every facet turns left.
+    corners_turn_left: bool,
 }
 
 /// How the edges of a surface turn.
@@ -33,7 +35,8 @@ impl<'m> Surface<'m> {
     /// # Errors
     /// The first facet that is not planar.
     pub(super) fn new(points: &'m [Point3], mesh: &'m Mesh) -> Result<Self, MeshError> {
-        let mut surface = Self { points, mesh, edges: edge_vectors(points, mesh), normals: Vec::new() };
+        let edges = edge_vectors(points, mesh);
+        let mut surface = Self { points, mesh, edges, normals: Vec::new(), corners_turn_left: true };
         surface.normals.reserve(mesh.facet_count());
         for f in mesh.facets() {
             let first = mesh.boundary(f);
@@ -48,24 +51,27 @@ impl<'m> Surface<'m> {
 
     /// The normal of a polygon that may be non-convex and have straight corners, and a check that all
     /// corners lie in its plane.
-    fn polygon_normal(&self, first: HalfedgeId, corner: Vector3) -> Result<Vector3, MeshError> {
+    fn polygon_normal(&mut self, first: HalfedgeId, corner: Vector3) -> Result<Vector3, MeshError> {
         let mesh = self.mesh;
         let f = mesh.facet(first);
         let plane = mesh.facet_cycle(f).map(|h| corner_normal(mesh, &self.edges, h)).find(|n| !n.is_zero());
         let Some(plane) = plane else { return Ok(corner) };
         let on = &self.points[mesh.source(first).index()];
         for h in mesh.facet_cycle(f) {
-            if side(&self.edges, &plane, h) != Sign::Zero {
-                let vertex = mesh.target(h);
+            let vertex = mesh.target(h);
+            if predicate::plane_side(&plane, on, &self.points[vertex.index()]) != Sign::Zero {
                 let squared_distance = squared_distance(&plane, on, &self.points[vertex.index()]);
                 return Err(MeshError::NonPlanar { facet: f.0, vertex: vertex.0, squared_distance });
             }
         }
         // Outwards is the side from which the polygon is counterclockwise: the sign of its area.
         let axis = nonzero_axis(&plane);
-        let convex =
-            mesh.facet_cycle(f).all(|h| corner_normal(mesh, &self.edges, h).sign(axis) == plane.sign(axis));
-        if convex || self.turns_positively(f, axis) == plane.sign(axis) { Ok(plane) } else { Ok(-plane) }
+        let turns_left = |h| corner_normal(mesh, &self.edges, h).sign(axis) == plane.sign(axis);
+        if mesh.facet_cycle(f).all(turns_left) {
+            return Ok(plane);
+        }
+        self.corners_turn_left = false;
+        if self.turns_positively(f, axis) == plane.sign(axis) { Ok(plane) } else { Ok(-plane) }
     }
 
     /// The sign of the area of a polygon seen along an axis.
@@ -124,22 +130,12 @@ impl<'m> Surface<'m> {
 
     /// Whether every facet is a strictly convex polygon that winds once.
     pub(super) fn facets_are_convex(&self) -> bool {
-        self.mesh.facets().all(|f| {
-            let normal = &self.normals[f.index()];
-            if normal.is_zero() {
-                return false;
-            }
-            if self.mesh.facet_cycle(f).nth(3).is_none() {
-                return true;
-            }
-            let axis = nonzero_axis(normal);
-            let convex = self
-                .mesh
-                .facet_cycle(f)
-                .all(|h| corner_normal(self.mesh, &self.edges, h).sign(axis) == normal.sign(axis));
-            // A cycle that only turns left winds as often as it has highest corners.
-            convex && self.highest_corners(f) == 1
-        })
+        // A cycle that only turns left winds as often as it has highest corners.
+        self.corners_turn_left
+            && self.mesh.facets().all(|f| {
+                !self.normals[f.index()].is_zero()
+                    && (self.mesh.facet_cycle(f).nth(3).is_none() || self.highest_corners(f) == 1)
+            })
     }
 
     fn highest_corners(&self, f: dcel::FacetId) -> usize {
