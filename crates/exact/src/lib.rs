@@ -39,7 +39,7 @@ pub use affine::{Affine3, Linear3};
 pub use integer::Integer;
 pub use parse::{MAX_EXPONENT, ParseNumberError, ParseNumberErrorKind};
 pub use plane::Plane;
-pub use point::{Point3, PointKey, share_weight};
+pub use point::{Adder, Point3, PointKey, share_weight};
 pub use quaternion::{Quaternion, ZeroAxis};
 pub use rational::{NotFinite, Rational};
 pub use sign::Sign;

@@ -225,10 +225,7 @@ impl Point3 {
             if a[3] == b[3] {
                 return Self::of_machine([a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3]]);
             }
-            let divisor = gcd_u64(a[3] as u64, b[3] as u64) as i64;
-            let (v, w) = (i128::from(b[3] / divisor), i128::from(a[3] / divisor));
-            let [x, y, z] = [0, 1, 2].map(|axis: usize| i128::from(a[axis]) * v + i128::from(b[axis]) * w);
-            return Self::of_i128([x, y, z, i128::from(a[3]) * v]);
+            return Adder::default().narrow_sum(a, b);
         }
         let (a, b) = (self.homogeneous(), other.homogeneous());
         let weight = a[3].lcm(&b[3]);
@@ -361,6 +358,46 @@ impl fmt::Display for Point3 {
 impl fmt::Debug for Point3 {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         fmt::Display::fmt(self, f)
+    }
+}
+
+/// Adds points one pair after the other, and remembers how the last two weights were brought together: in a sum of two objects
+/// they are nearly always the same.
+///
+/// ```
+/// use exact::{Adder, Point3};
+/// let mut adder = Adder::default();
+/// let [a, b] = [["1/2", "0", "1"], ["1/3", "1", "2"]].map(|p| p.map(|c| c.parse().expect("a number")));
+/// let (a, b) = (Point3::from_rationals(&a), Point3::from_rationals(&b));
+/// assert_eq!(adder.sum(&a, &b), a.plus(&b));
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct Adder {
+    weights: [i64; 2],
+    /// What brings each of the weights to the least common multiple.
+    factors: [i64; 2],
+}
+
+impl Adder {
+    /// Gives the sum of the position vectors: the same as [`Point3::plus`].
+    #[inline]
+    pub fn sum(&mut self, a: &Point3, b: &Point3) -> Point3 {
+        match (a.as_narrow(), b.as_narrow()) {
+            (Some(a), Some(b)) => self.narrow_sum(a, b),
+            _ => a.plus(b),
+        }
+    }
+
+    #[inline]
+    fn narrow_sum(&mut self, a: &[i64; 4], b: &[i64; 4]) -> Point3 {
+        if self.weights != [a[3], b[3]] {
+            let divisor = gcd_u64(a[3] as u64, b[3] as u64) as i64;
+            self.weights = [a[3], b[3]];
+            self.factors = [b[3] / divisor, a[3] / divisor];
+        }
+        let [v, w] = self.factors.map(i128::from);
+        let [x, y, z] = [0, 1, 2].map(|axis: usize| i128::from(a[axis]) * v + i128::from(b[axis]) * w);
+        Point3::of_i128([x, y, z, i128::from(a[3]) * v])
     }
 }
 

@@ -160,3 +160,20 @@ fn wide_points_of_equal_weight_become_narrow_where_they_can() {
     assert!(points.iter().all(|point| point.as_narrow().is_some_and(|homogeneous| homogeneous[3] == 2)));
     assert_eq!(points[1].to_string(), "(2, 1/2, 0)");
 }
+
+#[test]
+fn an_adder_adds_whatever_came_before() {
+    let mut random = Random::new(77);
+    let mut adder = Adder::default();
+    for _ in 0..4_000 {
+        let bits = [3, 30, 60, 61, 62, 90][random.below(6) as usize];
+        let [p, q] = [(); 2].map(|()| {
+            let weight = Integer::from(1 + random.below([1, 6, 1 << 40][random.below(3) as usize]));
+            Point3::new(random.vector(bits).coordinates(), weight).unwrap()
+        });
+        let sum = adder.sum(&p, &q);
+        let expected = [0, 1, 2].map(|axis| p.coordinate(axis) + q.coordinate(axis));
+        assert_eq!(sum.coordinates(), expected, "{p} {q}");
+        assert_eq!(p.plus(&q), sum);
+    }
+}

@@ -11,7 +11,7 @@ use crate::Polytope;
 use crate::fault::{Fault, injected};
 use crate::vectors::{EdgeOrigin, FacetOrigin, LazyVectors, Origins, Vectors};
 use dcel::{FacetId, HalfedgeId, Mesh, VertexId};
-use exact::{Point3, share_weight};
+use exact::{Adder, Point3};
 use std::sync::Arc;
 
 /// The edges and facets of the sum while they are collected.
@@ -188,10 +188,7 @@ fn number_vertices(
     });
     starts.pop();
     let mut sources = vec![VertexId(u32::MAX); sum as usize];
-    // Over one weight, if it stays narrow, a sum of points is a sum of integers.
-    let mut summands = [red.points, blue.points].concat();
-    share_weight(&mut summands);
-    let (red_points, blue_points) = summands.split_at(red.points.len());
+    let mut adder = Adder::default();
     let mut points: Vec<Point3> = Vec::with_capacity(by_red.len() / 4);
     let mut number = vec![(u32::MAX, 0); blue.mesh.vertex_count()];
     for (v, group) in starts.windows(2).enumerate() {
@@ -200,7 +197,7 @@ fn number_vertices(
             if slot.0 != v as u32 {
                 *slot = (v as u32, points.len() as u32);
                 let w = if injected(Fault::WrongVertex) && v == 0 { 0 } else { w };
-                points.push(red_points[v].plus(&blue_points[w as usize]));
+                points.push(adder.sum(&red.points[v], &blue.points[w as usize]));
             }
             sources[i as usize] = VertexId(slot.1);
         }
