@@ -168,8 +168,8 @@ fn an_adder_adds_whatever_came_before() {
     for _ in 0..4_000 {
         let bits = [3, 30, 60, 61, 62, 90][random.below(6) as usize];
         let [p, q] = [(); 2].map(|()| {
-            let weight = Integer::from(1 + random.below([1, 6, 1 << 40][random.below(3) as usize]));
-            Point3::new(random.vector(bits).coordinates(), weight).unwrap()
+            let weight_bits = [1, 3, 40][random.below(3) as usize];
+            random_point(&mut random, bits, weight_bits)
         });
         let sum = adder.sum(&p, &q);
         let expected = [0, 1, 2].map(|axis| p.coordinate(axis) + q.coordinate(axis));
