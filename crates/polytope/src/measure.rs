@@ -18,6 +18,12 @@ impl Polytope {
     /// The centroid of the set, in its own dimension: of the solid, the polygon, the segment or the
     /// point.
     ///
+    /// ```
+    /// use exact::Point3;
+    /// let segment = splitstar_polytope::Polytope::segment(Point3::ORIGIN, Point3::from_i64([1, 2, 4]));
+    /// assert_eq!(segment.centroid().to_string(), "(1/2, 1, 2)");
+    /// ```
+    ///
     /// # Complexity
     /// Linear.
     pub fn centroid(&self) -> Point3 {

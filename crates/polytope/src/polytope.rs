@@ -50,8 +50,11 @@ impl Counts {
 /// The convex hull of a finite set of points: any points, repeated, collinear or coplanar ones too;
 /// `None` for no point.
 ///
+/// # Panics
+/// If there are 2^28 points or more.
+///
 /// # Complexity
-/// That of the module's quickhull: about `n log n` for points in general, quadratic at worst.
+/// That of a quickhull: about `n log n` for points in general, `n^2 log n` at worst.
 pub fn convex_hull(points: &[Point3]) -> Option<Polytope> {
     use hull::HullFacets::{Point, Polygon, Segment, Solid};
     Some(match hull::hull(points)? {

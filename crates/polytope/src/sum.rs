@@ -20,6 +20,9 @@ use exact::{Point3, Sign, predicate};
 /// assert_eq!(cube.volume().to_string(), "1");
 /// ```
 ///
+/// # Panics
+/// If two summands or their sum have 2^30 facets or more: more than memory holds, on most machines.
+///
 /// # Complexity
 /// For two summands linear in the numbers of their cells and of those of the sum, if vertices have a
 /// bounded number of edges; in general a step from arc to arc costs the logarithm of that number.
@@ -37,6 +40,18 @@ pub fn minkowski_sum(summands: &[&Polytope]) -> Polytope {
 /// The same sum as the convex hull of all sums of one vertex of each summand, two summands at a time:
 /// slower by far, and independent of the overlay.
 ///
+/// ```
+/// use exact::Point3;
+/// use splitstar_polytope::{convex_hull, minkowski_sum, minkowski_sum_by_hull};
+/// let points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map(Point3::from_i64);
+/// let p = convex_hull(&points).expect("there are points");
+/// let q = p.reflected();
+/// assert!(minkowski_sum(&[&p, &q]).same_set(&minkowski_sum_by_hull(&[&p, &q])));
+/// ```
+///
+/// # Panics
+/// If two summands have 2^28 pairs of vertices or more.
+///
 /// # Complexity
 /// That of the convex hull of `n m` points for `n` and `m` vertices.
 pub fn minkowski_sum_by_hull(summands: &[&Polytope]) -> Polytope {
@@ -51,6 +66,17 @@ pub fn minkowski_sum_by_hull(summands: &[&Polytope]) -> Polytope {
 ///
 /// The arcs of a polygon or a segment are counted as they are cut for the overlay: in the middle of
 /// each half circle, and every quarter turn.
+///
+/// ```
+/// use exact::Point3;
+/// use splitstar_polytope::{convex_hull, overlay_counts};
+/// let points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map(Point3::from_i64);
+/// let p = convex_hull(&points).expect("there are points");
+/// assert_eq!(overlay_counts(&p, &p).common_normals, 4);
+/// ```
+///
+/// # Complexity
+/// That of the sum.
 pub fn overlay_counts(p: &Polytope, q: &Polytope) -> OverlayCounts {
     sum_of_two(p, q).1
 }

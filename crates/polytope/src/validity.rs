@@ -50,6 +50,12 @@ impl fmt::Display for Violation {
 impl Polytope {
     /// Lists every violation of what a polytope promises; none for a valid one.
     ///
+    /// ```
+    /// use exact::Point3;
+    /// let segment = splitstar_polytope::Polytope::segment(Point3::ORIGIN, Point3::from_i64([1, 2, 3]));
+    /// assert!(segment.check_valid().is_empty());
+    /// ```
+    ///
     /// That every vertex lies below every facet is checked by brute force up to a million pairs; local
     /// convexity (corners and edges) and Euler's relation are always checked.
     ///

@@ -177,7 +177,7 @@ fn what_is_refused() {
         refused(
             "two segments",
             mesh(&[[0; 3], [1, 0, 0], [0, 1, 0]], &[&[0, 1], &[1, 2]]),
-            LooseEdge { facet: 0 },
+            MeshError::ScatteredEdges { facet: 1 },
         ),
         refused("pentagram", pentagram(), NotOnHull { facet: 0 }),
         refused("pentagram prism", star_prism(), NotOnHull { facet: 0 }),
@@ -283,7 +283,7 @@ fn lower_dimensions() {
         refused(
             "a polygon that is not convex",
             mesh(&[[0, 0, 0], [3, 0, 0], [1, 1, 0], [0, 3, 0]], &[&[0, 1, 2, 3]]),
-            MeshError::NotOnHull { facet: 0 },
+            MeshError::ReflexCorner { facet: 0, vertex: 2 },
         ),
         refused(
             "a polygon that crosses itself",
@@ -302,7 +302,36 @@ fn a_flat_strip_with_the_area_of_its_hull() {
     let front: Vec<u32> = (0..10).collect();
     let back: Vec<u32> = (0..10).rev().collect();
     check(vec![
-        refused("a strip", mesh(&corners, &[&front]), MeshError::NotOnHull { facet: 0 }),
+        refused("a strip", mesh(&corners, &[&front]), MeshError::ReflexCorner { facet: 0, vertex: 6 }),
         refused("both sides of a strip", mesh(&corners, &[&front, &back]), MeshError::NotOnHull { facet: 0 }),
     ]);
+}
+
+/// Facets of two vertices and no other are the segment that they make up, in any order and direction.
+#[test]
+fn edges_that_make_up_a_segment() {
+    let points = [[0; 3], [1, 2, 3], [2, 4, 6], [3, 6, 9], [5, 10, 15]];
+    type Row<'a> = (&'a str, &'a [&'a [u32]], Result<[i64; 3], MeshError>);
+    let rows: [Row<'_>; 8] = [
+        ("one", &[&[0, 1]], Ok([1, 2, 3])),
+        ("one after the other", &[&[0, 1], &[1, 2]], Ok([2, 4, 6])),
+        ("there and back", &[&[0, 2], &[2, 0]], Ok([2, 4, 6])),
+        ("overlapping, in no order", &[&[3, 1], &[0, 2]], Ok([3, 6, 9])),
+        ("one within another", &[&[0, 3], &[1, 2]], Ok([3, 6, 9])),
+        ("a gap", &[&[0, 1], &[2, 3]], Err(MeshError::ScatteredEdges { facet: 1 })),
+        ("a gap after a long one", &[&[3, 4], &[0, 2], &[0, 1]], Err(MeshError::ScatteredEdges { facet: 0 })),
+        ("no such vertex", &[&[0, 1], &[1, 9]], Err(MeshError::NoSuchVertex { facet: 1, index: 9 })),
+    ];
+    for (name, facets, expected) in rows {
+        let read = Polytope::from_mesh(&mesh(&points, facets), &mut Vec::new());
+        match (read, expected) {
+            (Ok(polytope), Ok(end)) => {
+                assert_eq!(polytope.dimension(), 1, "{name}");
+                let ends = [Point3::ORIGIN, Point3::from_i64(end)];
+                assert!(ends.iter().all(|p| polytope.points().contains(p)), "{name}");
+            }
+            (Err(error), Err(expected)) => assert_eq!(error, expected, "{name}"),
+            (read, expected) => panic!("{name}: {read:?} in place of {expected:?}"),
+        }
+    }
 }

@@ -42,10 +42,29 @@ pub enum MeshError {
         /// The facet.
         facet: u32,
     },
+    /// The one polygon turns the other way at a corner.
+    ReflexCorner {
+        /// The facet.
+        facet: u32,
+        /// The corner.
+        vertex: u32,
+    },
     /// A facet of two vertices beside other facets.
     LooseEdge {
         /// The facet.
         facet: u32,
+    },
+    /// Facets of two vertices that do not make up one segment.
+    ScatteredEdges {
+        /// A facet that does not continue those before it.
+        facet: u32,
+    },
+    /// A corner of a facet that is no vertex.
+    NoSuchVertex {
+        /// The facet.
+        facet: u32,
+        /// The index of its corner.
+        index: u32,
     },
 }
 
@@ -70,8 +89,17 @@ impl fmt::Display for MeshError {
                 f,
                 "not convex: facet {facet} does not lie on the boundary of the convex hull, or the surface covers it twice"
             ),
+            Self::ReflexCorner { facet, vertex } => {
+                write!(f, "not convex: the corner of facet {facet} at vertex {vertex} is reflex")
+            }
             Self::LooseEdge { facet } => {
                 write!(f, "facet {facet} has two vertices only, beside other facets")
+            }
+            Self::ScatteredEdges { facet } => {
+                write!(f, "the facets of two vertices do not make up one segment: facet {facet} stands apart")
+            }
+            Self::NoSuchVertex { facet, index } => {
+                write!(f, "facet {facet} has a corner at vertex {index}, which does not exist")
             }
         }
     }

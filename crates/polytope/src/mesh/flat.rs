@@ -2,10 +2,11 @@
 
 use super::strict::Surface;
 use super::weld::Compact;
-use crate::Polytope;
+use super::{MeshError, Note};
 use crate::polytope::nonzero_axis;
+use crate::{Polytope, convex_hull};
 use dcel::{FacetId, HalfedgeId, VertexId};
-use exact::Point3;
+use exact::{Point3, Rational, Sign, Vector3};
 use std::collections::{BTreeMap, HashMap};
 
 /// Whether the facets of a flat surface that face the front of a polygon cover it exactly once.
@@ -54,4 +55,58 @@ pub(super) fn covers_once(surface: &Surface<'_>, compact: &Compact, polygon: &Po
         *ends.entry((edge, corner(polygon.mesh.target(*h)))).or_default() -= 1;
     }
     ends.values().all(|count| *count == 0)
+}
+
+/// The segment that facets of two vertices make up.
+pub(super) fn segment(compact: &Compact, notes: &mut Vec<Note>) -> Result<Polytope, MeshError> {
+    let apart = |facet: usize| MeshError::ScatteredEdges { facet: compact.facet_names[facet] };
+    let ends = |facet: usize| {
+        let [a, b] = [0, 1].map(|i| &compact.points[compact.facets.get(facet)[i] as usize]);
+        if a <= b { [a, b] } else { [b, a] }
+    };
+    let hull = convex_hull(&compact.points).ok_or(MeshError::Empty)?;
+    let count = compact.facets.len();
+    if hull.dimension > 1 {
+        let [a, b] = ends((0..count).find(|&f| ends(f)[0] != ends(f)[1]).unwrap_or(0));
+        let along = a.direction_to(b);
+        let on_line = |p: &&Point3| a.direction_to(p).cross(&along).is_zero();
+        let off = (0..count).find(|&f| !ends(f).iter().all(on_line));
+        return Err(apart(off.unwrap_or(0)));
+    }
+    // Along a line the lexicographic order is that of the points: the facets must leave no gap.
+    let mut order: Vec<usize> = (0..count).collect();
+    order.sort_by_key(|&f| ends(f));
+    let mut reached = ends(order[0])[1];
+    for &f in &order[1..] {
+        let [from, to] = ends(f);
+        if from > reached {
+            return Err(apart(f));
+        }
+        reached = reached.max(to);
+    }
+    if count > 1 {
+        notes.push(Note::Joined { from: [compact.points.len(), count], to: [hull.points.len(), 1] });
+        return Ok(hull);
+    }
+    // A single facet keeps its direction.
+    let [a, b] = [0, 1].map(|i| compact.points[compact.facets.get(0)[i] as usize].clone());
+    Ok(Polytope::segment(a, b))
+}
+
+/// The first corner of a planar polygon that turns against the sense in which the polygon winds.
+pub(super) fn reflex_corner(points: &[Point3], cycle: &[u32]) -> Option<u32> {
+    let corner = |i: usize| &points[cycle[i % cycle.len()] as usize];
+    let turn = |i: usize| {
+        let (a, b, c) = (corner(i), corner(i + 1), corner(i + 2));
+        a.direction_to(b).cross(&b.direction_to(c))
+    };
+    let turns: Vec<Vector3> = (0..cycle.len()).map(turn).collect();
+    let axis = nonzero_axis(turns.iter().find(|normal| !normal.is_zero())?);
+    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let area = (0..cycle.len()).fold(Rational::from(0), |sum, k| {
+        let (p, q) = (corner(k), corner(k + 1));
+        sum + p.coordinate(i) * q.coordinate(j) - p.coordinate(j) * q.coordinate(i)
+    });
+    let against = |normal: &Vector3| normal.sign(axis) * area.sign() == Sign::Negative;
+    turns.iter().position(against).map(|i| cycle[(i + 1) % cycle.len()])
 }

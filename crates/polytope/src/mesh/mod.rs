@@ -31,8 +31,23 @@ impl Polytope {
     /// Equal vertices are welded if the surface is not closed without that; unused vertices are
     /// dropped; a mesh that is inside out is turned; coplanar facets and collinear edges are joined.
     /// A mesh without facets stands for the convex hull of its points, one polygon for a polytope of
-    /// dimension 2, one facet of two vertices for a segment. A surface that encloses no volume is read
-    /// as what it covers.
+    /// dimension 2, facets of two vertices and no other for the segment that they make up. A surface
+    /// that encloses no volume is read as what it covers.
+    ///
+    /// ```
+    /// use exact::Point3;
+    /// use splitstar_polytope::{PolygonMesh, Polytope};
+    /// let mut mesh = PolygonMesh::default();
+    /// mesh.points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1], [7, 7, 7]].map(Point3::from_i64).to_vec();
+    /// for facet in [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]] {
+    ///     mesh.facets.push(&facet);
+    /// }
+    /// let mut notes = Vec::new();
+    /// let tetrahedron = Polytope::from_mesh(&mesh, &mut notes)?;
+    /// assert_eq!(tetrahedron.volume().to_string(), "1/6");
+    /// assert_eq!(notes[0].to_string(), "1 unused vertex dropped");
+    /// # Ok::<(), splitstar_polytope::MeshError>(())
+    /// ```
     ///
     /// # Errors
     /// What keeps the mesh from being the boundary of a convex polytope: see [`MeshError`].
@@ -47,16 +62,17 @@ impl Polytope {
             notes.push(Note::PointSet);
             return convex_hull(&mesh.points).ok_or(MeshError::Empty);
         }
-        if mesh.facets.len() == 1 && mesh.facets.get(0).len() != 2 {
+        check_corners(mesh)?;
+        let edges_only = mesh.facets.iter().all(|corners| corners.len() == 2);
+        if mesh.facets.len() == 1 && !edges_only {
             return from_polygon(mesh, notes);
         }
         let mut compact = Compact::new(mesh);
         if compact.unused > 0 {
             notes.push(Note::Unused { vertices: compact.unused });
         }
-        if mesh.facets.len() == 1 {
-            let [a, b] = [0, 1].map(|i| compact.points[compact.facets.get(0)[i] as usize].clone());
-            return Ok(Self::segment(a, b));
+        if edges_only {
+            return flat::segment(&compact, notes);
         }
         if let Some(f) = mesh.facets.iter().position(|corners| corners.len() < 3) {
             return Err(MeshError::LooseEdge { facet: f as u32 });
@@ -75,6 +91,18 @@ impl Polytope {
         };
         Check { mesh: halfedges, compact, notes }.polytope()
     }
+}
+
+/// Every corner must be a vertex.
+fn check_corners(mesh: &PolygonMesh) -> Result<(), MeshError> {
+    let vertices = mesh.points.len();
+    if mesh.facets.corners().iter().all(|&v| (v as usize) < vertices) {
+        return Ok(());
+    }
+    let bad = |&v: &u32| v as usize >= vertices;
+    let found = mesh.facets.iter().enumerate().find_map(|(f, c)| Some((f, *c.iter().find(|v| bad(v))?)));
+    let (facet, index) = found.expect("one of the corners is no vertex");
+    Err(MeshError::NoSuchVertex { facet: facet as u32, index })
 }
 
 fn closed(compact: &Compact) -> Result<Mesh, Defect> {
@@ -105,7 +133,10 @@ fn from_polygon(mesh: &PolygonMesh, notes: &mut Vec<Note>) -> Result<Polytope, M
     both.facets.push(&back);
     let mut found = Vec::new();
     let polytope = Polytope::from_mesh(&both, &mut found).map_err(|error| match error {
-        MeshError::NotOnHull { .. } => MeshError::NotOnHull { facet: 0 },
+        MeshError::NotOnHull { .. } => match flat::reflex_corner(&mesh.points, mesh.facets.get(0)) {
+            Some(vertex) => MeshError::ReflexCorner { facet: 0, vertex },
+            None => MeshError::NotOnHull { facet: 0 },
+        },
         other => other,
     })?;
     // That it has no volume is how it was meant, and the back facet is ours.

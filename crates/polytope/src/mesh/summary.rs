@@ -40,6 +40,22 @@ pub struct MeshSummary {
 impl MeshSummary {
     /// Collects the facts.
     ///
+    /// ```
+    /// use exact::Point3;
+    /// use splitstar_polytope::{MeshSummary, PolygonMesh};
+    /// let mut mesh = PolygonMesh::default();
+    /// mesh.points = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]].map(Point3::from_i64).to_vec();
+    /// mesh.facets.push(&[0, 1, 2]);
+    /// mesh.facets.push(&[0, 2, 3]);
+    /// let facts = MeshSummary::of(&mesh);
+    /// // Two triangles of a square: one facet, four edges, a border all around.
+    /// assert_eq!([facts.vertices, facts.edges, facts.facets], [4, 4, 1]);
+    /// assert!(!facts.closed && facts.volume.is_none());
+    /// ```
+    ///
+    /// # Panics
+    /// If a corner of a facet is no vertex.
+    ///
     /// # Complexity
     /// Linear, but for a convex hull where facets are coplanar.
     pub fn of(mesh: &PolygonMesh) -> Self {
@@ -70,7 +86,7 @@ impl MeshSummary {
             vertices,
             edges,
             facets,
-            dimension: convex_hull(&mesh.points).map(|hull| hull.dimension),
+            dimension: convex_hull(&welded.points).map(|hull| hull.dimension),
             convex: false,
             closed: surface.is_some(),
             components,

@@ -25,7 +25,7 @@ use exact::Sign;
 
 /// A vertex of the overlay, as one trace sees it: a [`Kind`] in four bytes.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Node(u32);
+pub(super) struct OverlayVertex(u32);
 
 /// What a vertex of the overlay is.
 #[derive(Clone, Copy, Debug)]
@@ -38,7 +38,7 @@ pub(super) enum Kind {
     Crossing(u32),
 }
 
-impl Node {
+impl OverlayVertex {
     const LIMIT: u32 = 1 << 30;
 
     #[inline]
@@ -69,7 +69,7 @@ impl Node {
 pub(super) struct Piece {
     /// The red arc, in the direction in which it was traced.
     pub(super) arc: HalfedgeId,
-    pub(super) to: Node,
+    pub(super) to: OverlayVertex,
     pub(super) on: Track,
 }
 
@@ -167,7 +167,7 @@ enum Step {
     /// To its end, which lies there.
     End(Place),
     /// To a vertex of the overlay, and how it goes on.
-    On(Node, Heading),
+    On(OverlayVertex, Heading),
 }
 
 struct Walk<'a> {
@@ -220,7 +220,7 @@ impl Walk<'_> {
     fn follow(&mut self, r: HalfedgeId, sector: &mut Option<HalfedgeId>) -> Place {
         let (red, blue) = (self.red, self.blue);
         let start = red.mesh.facet(r);
-        let end = Node::new(Kind::Red(red.end(r).0));
+        let end = OverlayVertex::new(Kind::Red(red.end(r).0));
         let target = red.normal(red.end(r));
         let mut heading = match self.trace.places[start.index()] {
             Place::Face(w, chord) => {
@@ -298,7 +298,7 @@ impl Walk<'_> {
                 self.through_vertex(r, target, blue.mesh.facet(corner), corner)
             }
             Sign::Negative => {
-                let crossing = Node::new(Kind::Crossing(self.trace.crossings.len() as u32));
+                let crossing = OverlayVertex::new(Kind::Crossing(self.trace.crossings.len() as u32));
                 self.trace.crossings.push(Crossing { red: r, blue: b });
                 Step::On(crossing, self.enter_right_of(b))
             }
@@ -307,7 +307,7 @@ impl Walk<'_> {
 
     /// On through the blue vertex `m`, of which `leaving` is one of the arcs.
     fn through_vertex(&mut self, r: HalfedgeId, target: Normal<'_>, m: FacetId, leaving: HalfedgeId) -> Step {
-        Step::On(Node::new(Kind::Blue(m.0)), self.leave_vertex(r, target, leaving).0)
+        Step::On(OverlayVertex::new(Kind::Blue(m.0)), self.leave_vertex(r, target, leaving).0)
     }
 
     /// The side of the red circle of `r` on which a blue corner lies.
