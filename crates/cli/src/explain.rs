@@ -1,7 +1,7 @@
 //! What is wrong with a mesh, in the lines of its file.
 
+use crate::approx::approx_root;
 use crate::input::Operand;
-use splitstar::exact::Rational;
 use splitstar::polytope::{Defect, MeshError};
 
 /// The line at fault, and what is wrong there; not yet what to do.
@@ -109,40 +109,6 @@ impl Lines<'_> {
         match [left, right].map(|facet| self.facet(facet)) {
             [Some(a), Some(b)] => format!("facets {left} (line {a}) and {right} (line {b})"),
             _ => format!("facets {left} and {right}"),
-        }
-    }
-}
-
-/// The square root of an exact number with six digits, for reading only.
-pub(crate) fn approx_root(squared: &Rational) -> String {
-    approx(squared.approx_f64().sqrt())
-}
-
-/// A float with six significant digits and no zeros at the end.
-pub(crate) fn approx(value: f64) -> String {
-    let rounded: f64 = format!("{value:.5e}").parse().unwrap_or(value);
-    if rounded == 0.0 || (1e-4..1e7).contains(&rounded.abs()) {
-        format!("{rounded}")
-    } else {
-        format!("{rounded:e}")
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn approximations_are_short() {
-        let rows = [
-            (0.0, "0"),
-            (1.0 / 3.0, "0.333333"),
-            (2.5, "2.5"),
-            (1e300, "1e300"),
-            (1.0e-17 / 3.0, "3.33333e-18"),
-        ];
-        for (value, shown) in rows {
-            assert_eq!(approx(value), shown);
         }
     }
 }

@@ -53,7 +53,8 @@ usage: splitstar sum A B [C ...] -o OUT [OPTIONS]
   A B C ...         OFF files of convex polytopes of dimension 0 to 3; `-` is standard input
   -o, --output OUT  where to write the sum; `-` is standard output
   --method METHOD   overlay: walk over both Gaussian maps (default)
-                    hull: convex hull of all sums of vertices, slower, the check of the other
+                    hull: convex hull of all sums of vertices, slower, the check of the other;
+                    takes fewer than 2^28 sums
   --hull            take the convex hull of a file that is not convex, and tell how far a vertex
                     of the mesh lies inside it at most
   --float           write floats, rounded to nearest, and tell the largest rounding

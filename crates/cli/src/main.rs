@@ -5,6 +5,7 @@
 // An application prints.
 #![allow(clippy::print_stdout, clippy::print_stderr)]
 
+mod approx;
 mod args;
 mod console;
 mod explain;

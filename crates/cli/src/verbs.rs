@@ -10,9 +10,9 @@ pub(crate) use hull::hull;
 pub(crate) use info::info;
 pub(crate) use sum::sum;
 
+use crate::approx::approx;
 use crate::args::{Place, Run};
 use crate::console::Console;
-use crate::explain::approx;
 use crate::failure::Failure;
 use crate::input::Operand;
 use crate::output;
@@ -70,7 +70,7 @@ impl<'a> Job<'a> {
         self.seconds.write = self.clock.lap();
         self.console.close();
         if self.run.float {
-            let rounding = approx(written.largest_rounding.approx_f64());
+            let rounding = approx(&written.largest_rounding);
             self.console.note(&file, None, &format!("written as floats; the largest rounding is {rounding}"));
         }
         if !self.run.json {

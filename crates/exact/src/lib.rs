@@ -37,7 +37,7 @@ mod vector;
 
 pub use affine::{Affine3, Linear3};
 pub use integer::Integer;
-pub use parse::{MAX_EXPONENT, ParseNumberError, ParseNumberErrorKind};
+pub use parse::{MAX_DIGITS, MAX_EXPONENT, ParseNumberError, ParseNumberErrorKind};
 pub use plane::Plane;
 pub use point::{Adder, Point3, PointKey, share_weight};
 pub use quaternion::{Quaternion, ZeroAxis};

@@ -9,6 +9,13 @@ use std::fmt;
 /// Every `f64` written in decimal lies within it (the extremes are about 1.8e308 and 4.9e-324).
 pub const MAX_EXPONENT: u32 = 400;
 
+/// The most digits that are read in an integer, in each part of p/q, and in a decimal (both sides of the point together, without the exponent); beyond
+/// it a number is refused before it is built.
+///
+/// Leading and trailing zeros count. The time that a number takes grows with the square of its length, so that a limit on the length keeps the time of
+/// a text proportional to its length.
+pub const MAX_DIGITS: u32 = 20_000;
+
 /// Text that is no number.
 #[derive(Clone, PartialEq, Eq, Debug)]
 pub struct ParseNumberError {
@@ -32,6 +39,8 @@ pub enum ParseNumberErrorKind {
     ZeroDenominator,
     /// The decimal exponent exceeds [`MAX_EXPONENT`] in magnitude.
     ExponentTooLarge,
+    /// An integer, a part of p/q or a decimal has more than [`MAX_DIGITS`] digits.
+    TooManyDigits,
 }
 
 impl fmt::Display for ParseNumberError {
@@ -43,7 +52,16 @@ impl fmt::Display for ParseNumberError {
             ParseNumberErrorKind::NotFinite => write!(f, "`{token}` is not a finite number"),
             ParseNumberErrorKind::ZeroDenominator => write!(f, "`{token}` has a zero denominator"),
             ParseNumberErrorKind::ExponentTooLarge => {
-                write!(f, "`{token}` has an exponent beyond {MAX_EXPONENT}")
+                write!(
+                    f,
+                    "the exponent of `{token}` is too large in magnitude; the largest allowed is {MAX_EXPONENT}"
+                )
+            }
+            ParseNumberErrorKind::TooManyDigits => {
+                write!(
+                    f,
+                    "`{token}` has too many digits; the largest number of digits allowed is {MAX_DIGITS}"
+                )
             }
         }
     }
@@ -93,19 +111,32 @@ fn from_digits(digits: &str, sign: Sign) -> Integer {
     if sign == Sign::Negative { -value } else { value }
 }
 
-fn signed_integer(token: &str) -> Option<Integer> {
+fn split_integer(token: &str) -> Option<(Sign, &str)> {
     let (sign, digits) = split_sign(token);
-    is_digits(digits).then(|| from_digits(digits, sign))
+    is_digits(digits).then_some((sign, digits))
+}
+
+/// Refuses a token with too many digits in one of its parts.
+fn check_length(digits: usize, token: &str) -> Result<(), ParseNumberError> {
+    if digits > MAX_DIGITS as usize {
+        return Err(error(ParseNumberErrorKind::TooManyDigits, token));
+    }
+    Ok(())
 }
 
 pub(crate) fn integer(token: &str) -> Result<Integer, ParseNumberError> {
-    signed_integer(token).ok_or_else(|| not_a_number(token))
+    let (sign, digits) = split_integer(token).ok_or_else(|| not_a_number(token))?;
+    check_length(digits.len(), token)?;
+    Ok(from_digits(digits, sign))
 }
 
 pub(crate) fn rational(token: &str) -> Result<Rational, ParseNumberError> {
     if let Some((numerator, denominator)) = token.split_once('/') {
-        let parts = signed_integer(numerator).zip(signed_integer(denominator));
+        let parts = split_integer(numerator).zip(split_integer(denominator));
         let (numerator, denominator) = parts.ok_or_else(|| not_a_number(token))?;
+        check_length(numerator.1.len().max(denominator.1.len()), token)?;
+        let [numerator, denominator] =
+            [numerator, denominator].map(|(sign, digits)| from_digits(digits, sign));
         return Rational::new(numerator, denominator)
             .ok_or_else(|| error(ParseNumberErrorKind::ZeroDenominator, token));
     }
@@ -139,6 +170,7 @@ fn decimal(token: &str) -> Result<Rational, ParseNumberError> {
             if sign == Sign::Negative { -i64::from(magnitude) } else { i64::from(magnitude) }
         }
     };
+    check_length(whole.len() + fraction.len(), token)?;
     let digits = if fraction.is_empty() {
         from_digits(whole, sign)
     } else {
@@ -146,7 +178,7 @@ fn decimal(token: &str) -> Result<Rational, ParseNumberError> {
     };
     let exponent = exponent - fraction.len() as i64;
     let power = |exponent: i64| {
-        Integer::from(10).pow(u32::try_from(exponent).expect("shorter than the token plus MAX_EXPONENT"))
+        Integer::from(10).pow(u32::try_from(exponent).expect("at most MAX_DIGITS plus MAX_EXPONENT"))
     };
     Ok(if exponent >= 0 {
         Rational::from(if exponent == 0 { digits } else { digits * power(exponent) })

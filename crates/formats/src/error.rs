@@ -143,8 +143,10 @@ pub enum NumberFault {
     NotFinite,
     /// A fraction over zero.
     ZeroDenominator,
-    /// A decimal exponent beyond [`exact::MAX_EXPONENT`].
+    /// A decimal exponent beyond [`exact::MAX_EXPONENT`] in magnitude.
     ExponentTooLarge,
+    /// More than [`exact::MAX_DIGITS`] digits in an integer, a decimal or a part of a fraction.
+    TooManyDigits,
 }
 
 /// The record that was expected where a file ends.
@@ -302,8 +304,13 @@ impl fmt::Display for Fault<'_> {
             }
             NumberFault::ExponentTooLarge => write!(
                 f,
-                "the exponent of `{token}` is too large; the largest exponent allowed is {}",
+                "the exponent of `{token}` is too large in magnitude; the largest allowed is {}",
                 exact::MAX_EXPONENT
+            ),
+            NumberFault::TooManyDigits => write!(
+                f,
+                "`{token}` has too many digits; an integer, a decimal and each part of a fraction may have {}",
+                exact::MAX_DIGITS
             ),
         }
     }

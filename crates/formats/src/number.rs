@@ -5,7 +5,7 @@
 //! compare the short way with.
 
 use crate::error::NumberFault;
-use exact::{Integer, ParseNumberErrorKind, Point3, Rational};
+use exact::{Integer, MAX_DIGITS, ParseNumberErrorKind, Point3, Rational};
 
 /// A coordinate in lowest terms.
 #[derive(Clone, Debug)]
@@ -65,6 +65,10 @@ impl Number {
 
 /// The common case; `None` if the token has to go the general way.
 fn parse_small(token: &[u8]) -> Option<Number> {
+    // Leading zeros count as digits, and would pass below.
+    if token.len() > MAX_DIGITS as usize {
+        return None;
+    }
     let (negative, body) = match token {
         [b'-', rest @ ..] => (true, rest),
         [b'+', rest @ ..] => (false, rest),
@@ -174,6 +178,7 @@ fn parse_general(token: &[u8]) -> Result<Rational, NumberFault> {
         ParseNumberErrorKind::NotFinite => NumberFault::NotFinite,
         ParseNumberErrorKind::ZeroDenominator => NumberFault::ZeroDenominator,
         ParseNumberErrorKind::ExponentTooLarge => NumberFault::ExponentTooLarge,
+        ParseNumberErrorKind::TooManyDigits => NumberFault::TooManyDigits,
         _ => NumberFault::Word,
     })
 }

@@ -51,7 +51,7 @@ const BROKEN: &[(&str, &str)] = &[
     ("zero_denominator.xoff", "line 3: `1/0` has the denominator zero; write a fraction p/q with q not zero"),
     (
         "exponent_bomb.off",
-        "line 3: the exponent of `1e999999999` is too large; the largest exponent allowed is 400",
+        "line 3: the exponent of `1e999999999` is too large in magnitude; the largest allowed is 400",
     ),
     (
         "two_vertex_facet.off",

@@ -210,12 +210,17 @@ const BAD: &[(&str, &[u8], &str)] = &[
     (
         "large exponent",
         b"OFF\n1 0 0\n0 0 1e401\n",
-        "line 3: the exponent of `1e401` is too large; the largest exponent allowed is 400",
+        "line 3: the exponent of `1e401` is too large in magnitude; the largest allowed is 400",
+    ),
+    (
+        "negative large exponent",
+        b"OFF\n1 0 0\n0 0 1e-401\n",
+        "line 3: the exponent of `1e-401` is too large in magnitude; the largest allowed is 400",
     ),
     (
         "exponent far beyond",
         b"OFF\n1 0 0\n0 0 1e-99999999999999999999999\n",
-        "line 3: the exponent of `1e-99999999999999999999999` is too large; the largest exponent allowed is 400",
+        "line 3: the exponent of `1e-99999999999999999999999` is too large in magnitude; the largest allowed is 400",
     ),
     (
         "vertex missing",
@@ -326,6 +331,25 @@ fn every_bad_row_gives_its_message() {
         assert_eq!(error.to_string(), *message, "{name}");
         let place = error.line().map_or(String::new(), |line| format!("line {line}: "));
         assert_eq!(format!("{place}{}", error.sentence()), *message, "{name}");
+    }
+}
+
+#[test]
+fn the_number_of_digits_is_limited() {
+    let file = |token: &str| format!("OFF\n1 0 0\n0\n{token} 0\n");
+    let most = exact::MAX_DIGITS as usize;
+    let [nines, zeros] = ["9", "0"].map(|digit| digit.repeat(most));
+    for token in
+        [nines.clone(), zeros.clone(), format!("-{nines}/7{}", &nines[1..]), format!("0.{}", &nines[1..])]
+    {
+        read_off(file(&token).as_bytes()).unwrap();
+    }
+    for token in [format!("1{nines}"), format!("{zeros}1"), format!("7/{zeros}7"), format!("0.{nines}e9")] {
+        let message = format!(
+            "line 4: `{}...` has too many digits; an integer, a decimal and each part of a fraction may have 20000",
+            &token[..40]
+        );
+        assert_eq!(read_off(file(&token).as_bytes()).unwrap_err().to_string(), message);
     }
 }
 

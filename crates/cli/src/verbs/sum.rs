@@ -1,9 +1,10 @@
 //! `splitstar sum`.
 
 use super::{Job, Outcome, Shape, used_points};
+use crate::approx::approx_root;
 use crate::args::{Method, Run};
 use crate::console::Console;
-use crate::explain::{approx_root, mesh_error};
+use crate::explain::mesh_error;
 use crate::failure::Failure;
 use crate::input::Operand;
 use splitstar::polytope::{
@@ -18,11 +19,49 @@ pub(crate) fn sum(run: &Run) -> Result<(), Failure> {
         .map(|operand| summand(operand, run.hull, &job.console))
         .collect::<Result<Vec<_>, _>>()?;
     let summands: Vec<&Polytope> = summands.iter().collect();
+    if run.method == Method::Hull {
+        check_hull_size(&summands, &job.operands)?;
+    }
     let (polytope, method) = match run.method {
         Method::Overlay => (minkowski_sum(&summands), "overlay"),
         Method::Hull => (minkowski_sum_by_hull(&summands), "hull"),
     };
     job.finish(&Outcome { shape: Shape::Polytope(polytope), method, quaternion: None })
+}
+
+/// The convex hull takes fewer points than this.
+const HULL_POINTS: u128 = 1 << 28;
+
+/// Refuses summands whose sums of vertices are too many for a convex hull.
+///
+/// A sum has no fewer vertices than each summand, and the two largest summands are at last in two sums that are
+/// added; so what is refused here can never be done. For two summands the check is complete. For more it is not: the
+/// numbers of vertices of the sums in between are not known yet.
+fn check_hull_size(summands: &[&Polytope], operands: &[Operand]) -> Result<(), Failure> {
+    let vertices: Vec<usize> = summands.iter().map(|polytope| polytope.points().len()).collect();
+    let [a, b] = two_largest(&vertices);
+    if !too_many_sums(vertices[a], vertices[b]) {
+        return Ok(());
+    }
+    Err(operands[b].failure(
+        None,
+        format!(
+            "its {} vertices times the {} of {} are too many points for a convex hull, which takes fewer than \
+             {HULL_POINTS}; use --method overlay, the default",
+            vertices[b], vertices[a], operands[a].name
+        ),
+    ))
+}
+
+/// The places of the two largest numbers of two or more, in ascending order.
+fn two_largest(numbers: &[usize]) -> [usize; 2] {
+    let mut places: Vec<usize> = (0..numbers.len()).collect();
+    places.sort_by_key(|&place| std::cmp::Reverse(numbers[place]));
+    [places[0].min(places[1]), places[0].max(places[1])]
+}
+
+fn too_many_sums(a: usize, b: usize) -> bool {
+    a as u128 * b as u128 >= HULL_POINTS
 }
 
 /// The polytope of a file; of a file that is not convex its hull, if that is wanted.
@@ -59,5 +98,21 @@ fn way_out(error: &MeshError) -> &'static str {
             "`splitstar convert --triangulate` cuts it into triangles, and --hull takes the convex hull instead"
         }
         _ => "--hull takes the convex hull instead",
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_size_of_a_hull_is_known_beforehand() {
+        assert!(!too_many_sums(16_384, 16_383));
+        assert!(too_many_sums(16_384, 16_384));
+        assert!(!too_many_sums(1, (1 << 28) - 1));
+        assert!(too_many_sums(usize::MAX, usize::MAX));
+        assert_eq!(two_largest(&[5, 5]), [0, 1]);
+        assert_eq!(two_largest(&[7, 2, 9, 8]), [2, 3]);
+        assert_eq!(two_largest(&[9, 2, 3]), [0, 2]);
     }
 }

@@ -40,7 +40,11 @@ const ROWS: &[(&str, Sum, Option<[u64; 3]>)] = &[
     ("coordinate_word.off", Error(3, &["`zero`", "no number"]), None),
     ("zero_denominator.xoff", Error(3, &["`1/0`", "denominator"]), None),
     ("huge_exponent.off", Result(CUBE, &[]), Some(CUBE)),
-    ("exponent_bomb.off", Error(3, &["`1e999999999`", "largest exponent allowed is 400"]), None),
+    (
+        "exponent_bomb.off",
+        Error(3, &["`1e999999999`", "too large in magnitude; the largest allowed is 400"]),
+        None,
+    ),
     ("zero_area_facet.off", Result([13, 21, 10], &["joined"]), Some([4, 6, 4])),
     ("two_vertex_facet.off", Error(17, &["facet of two vertices beside polygons"]), None),
     ("repeated_index.off", Error(16, &["vertex 0 twice"]), None),
@@ -167,6 +171,55 @@ fn the_huge_cube_is_exact() {
     assert_eq!(object["width_bits"], 1024);
     let message = run(&["convert", &out, "-o", &out, "--scale", "10", "--float"]).error(1);
     assert!(message.contains("beyond the largest float"), "{message}");
+}
+
+/// The square of a tiny or huge deviation lies outside of the range of floats.
+#[test]
+fn deviations_of_any_size_are_told() {
+    let folder = Folder::new("deviations");
+    let (cube, out) = (model("convex/cube.off"), folder.path("out.off"));
+    for (size, deviation, off, inside) in [
+        ("3", "0.75", "0.727607", "0.75"),
+        ("1", "1e-300", "1e-300", "1e-300"),
+        ("1", "1.2e-345", "about 1.2e-345", "about 1.2e-345"),
+        ("3e300", "7.5e299", "7.27607e299", "7.5e299"),
+        ("3e390", "7.5e389", "about 7.3e389", "about 7.5e389"),
+    ] {
+        let base = format!("0 0 0\n{size} 0 0\n{size} {size} 0\n0 {size}");
+        let sides = "3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n";
+        let lifted = format!("OFF\n5 5 0\n{base} {deviation}\n0 0 {size}\n4 3 2 1 0\n{sides}");
+        let message = run(&["sum", &folder.write("lifted.off", &lifted), &cube, "-o", &out]).error(1);
+        assert!(message.contains(&format!(" lies {off} off the plane")), "{message}");
+        let dent = format!(
+            "OFF\n6 8 0\n{base} 0\n0 0 {size}\n{deviation} {deviation} {deviation}\n3 1 0 5\n3 2 1 5\n3 3 2 5\n3 0 3 5\n{sides}"
+        );
+        let run = run(&["sum", "--hull", &folder.write("dent.off", &dent), &cube, "-o", &out]);
+        let notes = run.notes().join("\n");
+        assert!(notes.ends_with(&format!("lie at most {inside} inside it")), "{notes}");
+        run.ok();
+    }
+}
+
+#[test]
+fn a_hull_of_too_many_sums_is_refused() {
+    let folder = Folder::new("too_many_sums");
+    let out = folder.path("out.off");
+    // Corners of a convex polygon, as many as the root of the limit.
+    let points: String = (0..16_384_u32).map(|i| format!("{i} {} 0\n", i * i)).collect();
+    let parabola = folder.write("parabola.off", &format!("OFF\n16384 0 0\n{points}"));
+    let cube = model("convex/cube.off");
+    for operands in [&[&parabola, &parabola][..], &[&parabola, &cube, &parabola]] {
+        let mut words = vec!["sum", "-q", "--method", "hull", "-o", &out];
+        words.extend(operands.iter().map(|operand| operand.as_str()));
+        assert_eq!(
+            run(&words).error(1),
+            format!(
+                "error: {parabola}: its 16384 vertices times the 16384 of {parabola} are too many points for a convex \
+                 hull, which takes fewer than 268435456; use --method overlay, the default"
+            )
+        );
+    }
+    assert_eq!(folder.names(), ["parabola.off"]);
 }
 
 /// A file cannot ask for memory by what it promises.

@@ -1,6 +1,6 @@
 use super::*;
 use crate::{Integer, Rational};
-use ParseNumberErrorKind::{Empty, ExponentTooLarge, NotFinite, Word, ZeroDenominator};
+use ParseNumberErrorKind::{Empty, ExponentTooLarge, NotFinite, TooManyDigits, Word, ZeroDenominator};
 
 #[test]
 fn numbers_are_read_exactly() {
@@ -91,8 +91,47 @@ fn what_is_no_number_is_refused_by_kind() {
 }
 
 #[test]
+fn the_number_of_digits_is_limited() {
+    let nines = |count: u32| "9".repeat(count as usize);
+    let (most, more) = (nines(MAX_DIGITS), nines(MAX_DIGITS + 1));
+    let half = nines(MAX_DIGITS / 2);
+    let all_nines = Integer::from(10).pow(MAX_DIGITS) - Integer::ONE;
+    assert_eq!(most.parse::<Integer>(), Ok(all_nines.clone()));
+    assert_eq!(format!("-{most}").parse::<Rational>(), Ok(-Rational::from(&all_nines)));
+    let power = Integer::from(10).pow(MAX_DIGITS / 2);
+    assert_eq!(format!("{half}.{half}").parse(), Ok(Rational::new(all_nines.clone(), power).unwrap()));
+    assert_eq!(format!("{most}/-{most}").parse::<Rational>(), Ok(-Rational::ONE));
+    let long_exponent = format!("{most}e-{}400", "0".repeat(MAX_DIGITS as usize));
+    assert_eq!(long_exponent.parse(), Ok(Rational::new(all_nines, Integer::from(10).pow(400)).unwrap()));
+
+    for text in [
+        more.clone(),
+        format!("+{more}"),
+        format!("0{most}"),
+        format!("{half}.{half}0"),
+        format!(".{more}"),
+        format!("{more}e5"),
+        format!("{more}/1"),
+        format!("1/-{more}"),
+        format!("{most}/{}", "0".repeat(MAX_DIGITS as usize + 1)),
+    ] {
+        let error = text.parse::<Rational>().unwrap_err();
+        assert_eq!((error.kind, error.token.len()), (TooManyDigits, 43), "{}", error.token);
+        assert!(error.to_string().contains("20000"), "{error}");
+    }
+    assert_eq!(more.parse::<Integer>().unwrap_err().kind, TooManyDigits);
+    // What is no number at all is said first.
+    assert_eq!(format!("{more}x").parse::<Rational>().unwrap_err().kind, Word);
+}
+
+#[test]
 fn errors_keep_a_short_token() {
     let error = "x".repeat(1000).parse::<Rational>().unwrap_err();
     assert_eq!(error.token.len(), 43);
     assert_eq!("1/0".parse::<Rational>().unwrap_err().to_string(), "`1/0` has a zero denominator");
+    for text in ["1e401", "1e-401"] {
+        let message =
+            format!("the exponent of `{text}` is too large in magnitude; the largest allowed is 400");
+        assert_eq!(text.parse::<Rational>().unwrap_err().to_string(), message);
+    }
 }
