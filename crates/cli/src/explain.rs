@@ -39,9 +39,16 @@ pub(crate) fn mesh_error(error: &MeshError, operand: &Operand) -> (Option<u32>, 
              the boundary more than once"
                 .into(),
         ),
+        MeshError::ReflexCorner { facet, vertex } => {
+            (lines.facet(*facet), format!("not convex: the corner at {} is reflex", lines.vertex(*vertex)))
+        }
         MeshError::LooseEdge { facet } => {
             (lines.facet(*facet), "a facet of two vertices beside other facets".into())
         }
+        MeshError::ScatteredEdges { facet } => (
+            lines.facet(*facet),
+            "the facets of two vertices do not make up one segment: this one stands apart".into(),
+        ),
         other => (None, other.to_string()),
     }
 }
