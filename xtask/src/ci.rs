@@ -9,6 +9,13 @@ use crate::{Failure, shell, tidy};
 /// The features of `exact` that only tests use: without this step their code would not be looked at.
 const TEST_FEATURES: [&str; 4] = ["--package", "splitstar-exact", "--features", "force-tiers,count-tiers"];
 
+/// The program and the library in front, by themselves: in a build of the whole workspace the features that tests switch
+/// on hold for every crate, and what ships is not built.
+const SHIPPED: [&str; 4] = ["--package", "splitstar-cli", "--package", "splitstar"];
+
+/// Without threads. Its tests would switch the features on again, so this is for the library.
+const SERIAL: [&str; 3] = ["--package", "splitstar-polytope", "--no-default-features"];
+
 /// Runs every step in order and stops at the first that fails.
 ///
 /// # Errors
@@ -27,12 +34,14 @@ pub(crate) fn run() -> Result<(), Failure> {
 
     step("format", &mut || shell::run(shell::cargo().args(["fmt", "--all", "--check"])))?;
     step("tidy", &mut tidy::run)?;
-    step("lints", &mut || shell::run(&mut clippy(&["--workspace"])))?;
-    step("lints, with the test features", &mut || shell::run(&mut clippy(&TEST_FEATURES)))?;
+    step("lints", &mut || shell::run(&mut clippy(&["--workspace"], "--all-targets")))?;
+    step("lints, with the test features", &mut || shell::run(&mut clippy(&TEST_FEATURES, "--all-targets")))?;
     step("tests", &mut || shell::run(shell::cargo().args(["test", "--workspace"])))?;
     step("tests, with the test features", &mut || {
         shell::run(shell::cargo().arg("test").args(TEST_FEATURES))
     })?;
+    step("tests of what ships", &mut || shell::run(shell::cargo().arg("test").args(SHIPPED)))?;
+    step("lints, without the default features", &mut || shell::run(&mut clippy(&SERIAL, "--lib")))?;
     step("documentation", &mut || {
         shell::run(shell::cargo().env("RUSTDOCFLAGS", "-Dwarnings").args(["doc", "--workspace", "--no-deps"]))
     })?;
@@ -42,9 +51,9 @@ pub(crate) fn run() -> Result<(), Failure> {
     Ok(())
 }
 
-fn clippy(selection: &[&str]) -> Command {
+fn clippy(selection: &[&str], targets: &str) -> Command {
     let mut command = shell::cargo();
-    command.arg("clippy").args(selection).args(["--all-targets", "--", "-Dwarnings"]);
+    command.arg("clippy").args(selection).args([targets, "--", "-Dwarnings"]);
     command
 }
 
