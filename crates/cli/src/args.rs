@@ -177,7 +177,16 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
     let verb = run.verb;
     let mut value = || parser.value().map_err(|error| lexical(&error, Some(verb)));
     match option {
-        "output" => run.output = Some(place(&value()?)),
+        "output" => {
+            let word = value()?;
+            if word.is_empty() {
+                return Err(usage(
+                    verb,
+                    "the name behind -o is empty; name a file, or - for standard output",
+                ));
+            }
+            run.output = Some(place(&word));
+        }
         "method" => {
             let word = value()?;
             run.method = match word.to_str() {

@@ -50,6 +50,11 @@ impl Console {
         self.say(&format!("note: {}:{line} {}", one_line(file), one_line(sentence)));
     }
 
+    /// Whether what is said is shown.
+    pub(crate) fn speaks(&self) -> bool {
+        !self.quiet
+    }
+
     /// One line, without a mark.
     pub(crate) fn say(&self, text: &str) {
         if self.quiet {

@@ -39,7 +39,7 @@ its hull; a file whose only facet is a polygon, or has two vertices, is one of d
 2 or 1.
 `-` is standard input or standard output.
 
-exit code: 0 done; 1 error: FILE:LINE: what, and what to do; 2 wrong command line
+exit code: 0 done; 1 error: FILE:LINE: what, and what to do; 2 wrong command line; 130 interrupted
 
 example:
   splitstar sum cube.off octahedron.off -o sum.off

@@ -113,7 +113,7 @@ fn cannot_write(error: &io::Error) -> String {
         io::ErrorKind::PermissionDenied => {
             "cannot be written: permission denied; write to another place, or change the permission".into()
         }
-        _ => format!("cannot be written: {error}; nothing was changed"),
+        _ => format!("cannot be written: {error}; make room, or write to another place"),
     }
 }
 

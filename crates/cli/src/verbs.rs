@@ -114,12 +114,9 @@ impl<'a> Job<'a> {
             ),
         };
         let file = crate::failure::one_line(file);
-        format!(
-            "{} ({}): {what}: {file}, {:.3} s",
-            self.run.verb.name(),
-            result.method,
-            read + compute + write
-        )
+        let verb = self.run.verb.name();
+        let method = if result.method == verb { String::new() } else { format!(" ({})", result.method) };
+        format!("{verb}{method}: {what}: {file}, {:.3} s", read + compute + write)
     }
 }
 

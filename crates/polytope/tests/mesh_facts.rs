@@ -236,3 +236,13 @@ fn nearly_convex() {
     assert_eq!(moved(1), Ok([5, 9, 6]));
     assert!(matches!(moved(-1), Err(MeshError::ReflexEdge { .. })));
 }
+
+/// Facets of two vertices that are not one segment are described as what they are.
+#[test]
+fn facts_of_scattered_edges() {
+    let points = [[0; 3], [1, 0, 0], [0, 1, 0], [5, 5, 5], [6, 5, 5], [0; 3]];
+    let facts = MeshSummary::of(&mesh(&points, &[&[0, 1], &[1, 2], &[2, 5], &[5, 1], &[3, 4]]));
+    assert_eq!([facts.vertices, facts.edges, facts.facets], [5, 4, 0]);
+    assert_eq!((facts.dimension, facts.components, facts.genus), (Some(3), 2, vec![None, None]));
+    assert!(!facts.closed && !facts.convex && facts.volume.is_none());
+}

@@ -88,8 +88,9 @@ pub use {dcel, exact, formats, polytope};
 /// ```
 pub mod prelude {
     pub use exact::{Affine3, Integer, Plane, Point3, Quaternion, Rational, Sign, Vector3};
-    pub use formats::{WriteOptions, read_off, write_off};
+    pub use formats::{Coordinates, ReadError, WriteOptions, read_off, write_off};
     pub use polytope::{
-        FacetId, Facets, HalfedgeId, PolygonMesh, Polytope, VertexId, convex_hull, minkowski_sum,
+        Bounds, Counts, FacetId, Facets, HalfedgeId, MeshError, Note, PolygonMesh, Polytope, VertexId,
+        convex_hull, minkowski_sum,
     };
 }

@@ -77,13 +77,16 @@ fn summand(operand: &Operand, take_hull: bool, console: &Console) -> Result<Poly
         Err(_) if take_hull => {
             let points = used_points(&operand.read.mesh);
             let hull = convex_hull(&points).expect("a mesh that was read has a vertex");
-            let depth = approx_root(&hull_depth(&points, &hull));
-            let what = match hull.dimension() {
-                3 => "the convex hull is taken".to_owned(),
-                dimension => format!("the convex hull is taken, which has dimension {dimension}"),
-            };
-            let what = format!("{what}; vertices of the mesh lie at most {depth} inside it");
-            console.note(&operand.name, None, &what);
+            // The depth may take long where there are many points and facets: only if somebody reads it.
+            if console.speaks() {
+                let depth = approx_root(&hull_depth(&points, &hull));
+                let what = match hull.dimension() {
+                    3 => "the convex hull is taken".to_owned(),
+                    dimension => format!("the convex hull is taken, which has dimension {dimension}"),
+                };
+                let what = format!("{what}; vertices of the mesh lie at most {depth} inside it");
+                console.note(&operand.name, None, &what);
+            }
             Ok(hull)
         }
         Err(error) => {

@@ -6,7 +6,7 @@ use crate::measure::{Bounds, signed_volume};
 use crate::{Facets, PolygonMesh, Polytope, convex_hull};
 use dcel::Mesh;
 use exact::{Point3, Rational, Sign, Vector3, predicate};
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 /// What a mesh is.
 #[derive(Clone, Debug)]
@@ -65,6 +65,9 @@ impl MeshSummary {
             Err(defect) => defect,
         };
         let compact = Compact::new(mesh);
+        if mesh.facets.iter().all(|corners| corners.len() == 2) {
+            return Self::of_edges(&compact, notes, defect);
+        }
         let mut surface = closed(&compact).ok();
         let mut welded = compact.weld();
         if surface.is_none() && welded.points.len() < compact.points.len() {
@@ -93,6 +96,37 @@ impl MeshSummary {
             genus,
             volume: volume.then(|| signed_volume(&welded.points, &welded.facets).abs()),
             bounds: Bounds::of(&welded.points),
+            notes,
+            defect: Some(defect),
+        }
+    }
+
+    /// Of facets of two vertices that are not one segment.
+    fn of_edges(compact: &Compact, notes: Vec<Note>, defect: MeshError) -> Self {
+        let welded = compact.weld_labels();
+        let mut groups = Groups::new(welded.len());
+        let mut edges = HashSet::new();
+        for ends in compact.facets.iter() {
+            let [a, b] = [ends[0], ends[1]].map(|v| welded[v as usize]);
+            groups.join(a as usize, b as usize);
+            if a != b {
+                edges.insert([a.min(b), a.max(b)]);
+            }
+        }
+        // Vertices at the position of another one have no group of their own.
+        let vertices = welded.iter().enumerate().filter(|(v, label)| *v == **label as usize).count();
+        let components = groups.count() - (welded.len() - vertices);
+        Self {
+            vertices,
+            edges: edges.len(),
+            facets: 0,
+            dimension: convex_hull(&compact.points).map(|hull| hull.dimension),
+            convex: false,
+            closed: false,
+            components,
+            genus: vec![None; components],
+            volume: None,
+            bounds: Bounds::of(&compact.points),
             notes,
             defect: Some(defect),
         }
@@ -214,7 +248,7 @@ impl<'m> Merged<'m> {
     }
 }
 
-/// Disjoint sets of facets.
+/// Disjoint sets of facets or vertices.
 struct Groups {
     parent: Vec<usize>,
     count: usize,
