@@ -109,9 +109,9 @@ mod tests {
 
     #[test]
     fn the_longest_numbers_have_an_exponent() {
-        let nines = number(&"9".repeat(20_000));
-        assert_eq!(approx_root(&(&nines * &nines)), "about 1.0e20000");
+        let nines = number(&"9".repeat(5_000));
+        assert_eq!(approx_root(&(&nines * &nines)), "about 1.0e5000");
         let squared = &number("25/4") * &(&nines * &nines).recip().unwrap();
-        assert_eq!(approx_root(&squared), "about 2.5e-20000");
+        assert_eq!(approx_root(&squared), "about 2.5e-5000");
     }
 }

@@ -14,7 +14,7 @@ pub const MAX_EXPONENT: u32 = 400;
 ///
 /// Leading and trailing zeros count. The time that a number takes grows with the square of its length, so that a limit on the length keeps the time of
 /// a text proportional to its length.
-pub const MAX_DIGITS: u32 = 20_000;
+pub const MAX_DIGITS: u32 = 5_000;
 
 /// Text that is no number.
 #[derive(Clone, PartialEq, Eq, Debug)]

@@ -346,7 +346,7 @@ fn the_number_of_digits_is_limited() {
     }
     for token in [format!("1{nines}"), format!("{zeros}1"), format!("7/{zeros}7"), format!("0.{nines}e9")] {
         let message = format!(
-            "line 4: `{}...` has too many digits; an integer, a decimal and each part of a fraction may have 20000",
+            "line 4: `{}...` has too many digits; an integer, a decimal and each part of a fraction may have 5000",
             &token[..40]
         );
         assert_eq!(read_off(file(&token).as_bytes()).unwrap_err().to_string(), message);
