@@ -6,7 +6,7 @@
 //! list of pieces by counting sorts, without looking for anything.
 
 use super::map::Boundary;
-use super::trace::{Kind, Place, Trace};
+use super::record::{Kind, Place, Trace};
 use crate::Polytope;
 use crate::fault::{Fault, injected};
 use crate::vectors::{EdgeOrigin, FacetOrigin, LazyVectors, Origins, Vectors};

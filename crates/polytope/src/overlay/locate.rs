@@ -1,7 +1,7 @@
 //! Finding one direction in a Gaussian map: where a walk starts.
 
 use super::map::{GaussianMap, Normal};
-use super::trace::Place;
+use super::record::Place;
 use dcel::VertexId;
 use exact::{Sign, predicate};
 

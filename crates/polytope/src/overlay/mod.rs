@@ -4,7 +4,8 @@
 //! |---|---|
 //! | `map` | reads the Gaussian map off the mesh |
 //! | `locate` | finds the place of one normal |
-//! | `trace` | walks one map through the other |
+//! | `trace`, `search` | walks one map through the other; searches along the ring of a face |
+//! | `record` | what a walk records |
 //! | `assemble` | joins both walks to the mesh of the sum |
 //!
 //! # References
@@ -14,6 +15,8 @@
 mod assemble;
 mod locate;
 mod map;
+mod record;
+mod search;
 mod trace;
 
 use crate::Polytope;
