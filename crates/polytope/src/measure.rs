@@ -122,6 +122,17 @@ pub(crate) fn signed_volume(points: &[Point3], facets: &Facets) -> Rational {
     balanced_sum(terms) * Rational::new(Integer::from(1), Integer::from(6)).expect("six is not zero")
 }
 
+/// Twice the signed area of a polygon seen along an axis.
+pub(crate) fn twice_area(corners: &[&Point3], axis: usize) -> Rational {
+    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
+    let next = corners.iter().cycle().skip(1);
+    let terms = corners
+        .iter()
+        .zip(next)
+        .map(|(p, q)| p.coordinate(i) * q.coordinate(j) - p.coordinate(j) * q.coordinate(i));
+    balanced_sum(terms.collect())
+}
+
 /// Six times the signed volume of a tetrahedron as a fraction that is not reduced.
 fn tetrahedron(apex: &Point3, corners: [&Point3; 3]) -> (Integer, Integer) {
     let w = apex.weight();

@@ -5,6 +5,9 @@
 //! | `growth` | geodesic spheres and bipyramids of growing size: time and peak memory per feature |
 //! | `widths` | a histogram of coordinate widths, and the speed at given widths |
 //!
+//! `bench repeat A B N` sums two files N times and does nothing else: what a profiler looks at. The difference of two N is the
+//! cost of a sum without reading.
+//!
 //! Every case runs in a process of its own (`bench --case A B`), so that its peak memory is its own.
 
 mod growth;
@@ -28,8 +31,17 @@ pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
         ["growth"] => growth::run(),
         ["widths"] => widths::run(),
         ["--case", a, b] => case(&[PathBuf::from(a), PathBuf::from(b)]),
-        _ => Err("usage: cargo xtask bench [growth|widths]".into()),
+        ["repeat", a, b, times] => repeat(&[PathBuf::from(a), PathBuf::from(b)], times.parse()?),
+        _ => Err("usage: cargo xtask bench [growth|widths|repeat A B N]".into()),
     }
+}
+
+/// Sums two files that many times.
+fn repeat(operands: &[PathBuf; 2], times: usize) -> Result<(), Failure> {
+    let measured = library::measured_sum(operands, times, 0.0)?;
+    let [build, sum] = measured.phases;
+    println!("{}: {:.6} s (operands {build:.6}, sum {sum:.6})", measured.sum, measured.seconds);
+    Ok(())
 }
 
 /// What a process of its own measured.

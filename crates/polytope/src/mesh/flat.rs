@@ -3,10 +3,11 @@
 use super::strict::Surface;
 use super::weld::Compact;
 use super::{MeshError, Note};
+use crate::measure::twice_area;
 use crate::polytope::nonzero_axis;
 use crate::{Polytope, convex_hull};
 use dcel::{FacetId, HalfedgeId, VertexId};
-use exact::{Point3, Rational, Sign, Vector3};
+use exact::{Point3, Sign, Vector3};
 use std::collections::{BTreeMap, HashMap};
 
 /// Whether the facets of a flat surface that face the front of a polygon cover it exactly once.
@@ -102,11 +103,8 @@ pub(super) fn reflex_corner(points: &[Point3], cycle: &[u32]) -> Option<u32> {
     };
     let turns: Vec<Vector3> = (0..cycle.len()).map(turn).collect();
     let axis = nonzero_axis(turns.iter().find(|normal| !normal.is_zero())?);
-    let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-    let area = (0..cycle.len()).fold(Rational::from(0), |sum, k| {
-        let (p, q) = (corner(k), corner(k + 1));
-        sum + p.coordinate(i) * q.coordinate(j) - p.coordinate(j) * q.coordinate(i)
-    });
+    let corners: Vec<&Point3> = (0..cycle.len()).map(corner).collect();
+    let area = twice_area(&corners, axis);
     let against = |normal: &Vector3| normal.sign(axis) * area.sign() == Sign::Negative;
     turns.iter().position(against).map(|i| cycle[(i + 1) % cycle.len()])
 }

@@ -1,6 +1,7 @@
 //! The fast check: is a mesh, as it stands, the boundary of a convex polytope?
 
 use super::error::MeshError;
+use crate::measure::twice_area;
 use crate::polytope::{corner_normal, edge_vectors, nonzero_axis};
 use crate::vectors::VectorList;
 use dcel::{HalfedgeId, Mesh};
@@ -71,20 +72,8 @@ impl<'m> Surface<'m> {
             return Ok(plane);
         }
         self.corners_turn_left = false;
-        if self.turns_positively(f, axis) == plane.sign(axis) { Ok(plane) } else { Ok(-plane) }
-    }
-
-    /// The sign of the area of a polygon seen along an axis.
-    fn turns_positively(&self, f: dcel::FacetId, axis: usize) -> Sign {
-        let cycle: Vec<&Point3> =
-            self.mesh.facet_cycle(f).map(|h| &self.points[self.mesh.source(h).index()]).collect();
-        let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-        let mut area = Rational::from(0);
-        for k in 0..cycle.len() {
-            let (p, q) = (cycle[k], cycle[(k + 1) % cycle.len()]);
-            area = area + p.coordinate(i) * q.coordinate(j) - p.coordinate(j) * q.coordinate(i);
-        }
-        area.sign()
+        let cycle: Vec<&Point3> = mesh.facet_cycle(f).map(|h| &self.points[mesh.source(h).index()]).collect();
+        if twice_area(&cycle, axis).sign() == plane.sign(axis) { Ok(plane) } else { Ok(-plane) }
     }
 
     /// Sorts the edges by the way they turn. An edge is convex if the next corner of the facet on its
