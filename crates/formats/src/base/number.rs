@@ -4,7 +4,7 @@
 //! read into machine words; everything else goes the general way, which is also what the tests
 //! compare the short way with.
 
-use crate::error::NumberFault;
+use super::error::NumberFault;
 use exact::{Integer, MAX_DIGITS, ParseNumberErrorKind, Point3, Rational};
 
 /// A coordinate in lowest terms.

@@ -1,0 +1,207 @@
+//! The formats: their names, what each can hold, and how they are told apart.
+
+use crate::base::scan::Scanner;
+use std::fmt;
+
+/// A file format, with the variant where it has several.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+#[non_exhaustive]
+pub enum Format {
+    /// OFF, as text; coordinates may be fractions.
+    Off,
+    /// Wavefront OBJ.
+    Obj,
+    /// STL, binary: triangles with 32-bit floats.
+    Stl,
+    /// STL, as text.
+    StlAscii,
+    /// PLY, binary, little-endian.
+    Ply,
+    /// PLY, binary, big-endian.
+    PlyBigEndian,
+    /// PLY, as text.
+    PlyAscii,
+    /// 3MF: a zip archive with a model in XML.
+    ThreeMf,
+    /// glTF 2, binary: written only.
+    Glb,
+    /// VRML 2, with exact coordinates where floats do not do.
+    Vrml,
+    /// The native text format.
+    Star,
+}
+
+/// What a format can hold of a mesh.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct Abilities {
+    pub(crate) polygons: bool,
+    /// Points without facets, and segments.
+    pub(crate) points: bool,
+    pub(crate) objects: bool,
+    pub(crate) unit: bool,
+}
+
+impl Format {
+    /// All formats.
+    pub const ALL: [Self; 11] = [
+        Self::Off,
+        Self::Obj,
+        Self::Stl,
+        Self::StlAscii,
+        Self::Ply,
+        Self::PlyBigEndian,
+        Self::PlyAscii,
+        Self::ThreeMf,
+        Self::Glb,
+        Self::Vrml,
+        Self::Star,
+    ];
+
+    /// Its name on a command line.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Off => "off",
+            Self::Obj => "obj",
+            Self::Stl => "stl",
+            Self::StlAscii => "stl-ascii",
+            Self::Ply => "ply",
+            Self::PlyBigEndian => "ply-big-endian",
+            Self::PlyAscii => "ply-ascii",
+            Self::ThreeMf => "3mf",
+            Self::Glb => "glb",
+            Self::Vrml => "wrl",
+            Self::Star => "star",
+        }
+    }
+
+    /// The format of that name.
+    pub fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|format| format.name() == name)
+    }
+
+    /// The format that files with this ending of their name have, in any case; without the point.
+    pub fn from_extension(extension: &str) -> Option<Self> {
+        match extension.to_ascii_lowercase().as_str() {
+            "off" | "xoff" | "coff" | "noff" => Some(Self::Off),
+            "obj" => Some(Self::Obj),
+            "stl" => Some(Self::Stl),
+            "ply" => Some(Self::Ply),
+            "3mf" => Some(Self::ThreeMf),
+            "glb" => Some(Self::Glb),
+            "wrl" | "vrml" => Some(Self::Vrml),
+            "star" => Some(Self::Star),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn abilities(self) -> Abilities {
+        let mesh = Abilities { polygons: true, points: true, objects: false, unit: false };
+        match self {
+            Self::Off | Self::Ply | Self::PlyBigEndian | Self::PlyAscii => mesh,
+            Self::Obj | Self::Vrml => Abilities { objects: true, ..mesh },
+            Self::Stl | Self::StlAscii => Abilities { polygons: false, points: false, ..mesh },
+            Self::ThreeMf => Abilities { polygons: false, points: false, objects: true, unit: true },
+            // Its unit is the meter: a model with a unit is scaled.
+            Self::Glb => Abilities { polygons: false, objects: true, unit: true, ..mesh },
+            Self::Star => Abilities { objects: true, unit: true, ..mesh },
+        }
+    }
+
+    /// The format of a file, by what it begins with; `None` if it may be of any.
+    ///
+    /// `length` is that of the whole file, of which `start` has the first bytes.
+    pub(crate) fn of_content(start: &[u8], length: usize) -> Content {
+        if start.starts_with(b"\x1F\x8B") {
+            return Content::Gzip;
+        }
+        if start.starts_with(b"PK\x03\x04") || start.starts_with(b"PK\x05\x06") {
+            return Content::Known(Self::ThreeMf);
+        }
+        if start.starts_with(b"glTF") {
+            return Content::Known(Self::Glb);
+        }
+        if start.starts_with(b"ply") && matches!(start.get(3), Some(b'\n' | b'\r' | b' ')) {
+            return Content::Known(Self::Ply);
+        }
+        if crate::stl::is_binary(start, length) {
+            return Content::Known(Self::Stl);
+        }
+        if start.starts_with(b"#VRML") || start.starts_with(b"\xEF\xBB\xBF#VRML") {
+            return Content::Known(Self::Vrml);
+        }
+        let Some(word) = Scanner::new(start).token() else { return Content::Unknown };
+        match word.bytes {
+            b"star" => Content::Known(Self::Star),
+            b"solid" => Content::Known(Self::StlAscii),
+            b"v" | b"vn" | b"vt" | b"vp" | b"f" | b"l" | b"p" | b"o" | b"g" | b"s" | b"mtllib"
+            | b"usemtl" => Content::Known(Self::Obj),
+            word if word.ends_with(b"OFF") => Content::Known(Self::Off),
+            word if word.starts_with(b"<") => Content::Xml,
+            word if word.starts_with(b"{") => Content::Json,
+            _ => Content::Unknown,
+        }
+    }
+}
+
+/// What the first bytes of a file tell.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Content {
+    Known(Format),
+    Gzip,
+    /// No format of ours is bare XML or JSON, but people will try.
+    Xml,
+    Json,
+    Unknown,
+}
+
+impl fmt::Display for Format {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Off => "OFF",
+            Self::Obj => "OBJ",
+            Self::Stl | Self::StlAscii => "STL",
+            Self::Ply | Self::PlyBigEndian | Self::PlyAscii => "PLY",
+            Self::ThreeMf => "3MF",
+            Self::Glb => "glTF",
+            Self::Vrml => "VRML",
+            Self::Star => "star",
+        })
+    }
+}
+
+/// A format, perhaps packed.
+#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
+pub struct Encoding {
+    /// The format.
+    pub format: Format,
+    /// Whether gzip is around it.
+    pub gzip: bool,
+}
+
+impl Encoding {
+    /// The encoding that the ending of a file's name asks for, as `.off` or `.stl.gz`.
+    pub fn from_file_name(name: &str) -> Option<Self> {
+        let (stem, gzip) = without_gz(name);
+        let (_, extension) = stem.rsplit_once('.')?;
+        Some(Self { format: Format::from_extension(extension)?, gzip })
+    }
+
+    /// The encoding of that name: the name of a format, perhaps with `.gz` behind it.
+    pub fn from_name(name: &str) -> Option<Self> {
+        let (stem, gzip) = without_gz(name);
+        Some(Self { format: Format::from_name(stem)?, gzip })
+    }
+}
+
+impl From<Format> for Encoding {
+    fn from(format: Format) -> Self {
+        Self { format, gzip: false }
+    }
+}
+
+fn without_gz(name: &str) -> (&str, bool) {
+    match name.len().checked_sub(3).and_then(|at| Some((name.get(..at)?, name.get(at..)?))) {
+        Some((stem, ending)) if ending.eq_ignore_ascii_case(".gz") => (stem, true),
+        _ => (name, false),
+    }
+}

@@ -1,0 +1,103 @@
+//! Bytes to a model, whatever their format.
+
+use crate::base::budget::Budget;
+use crate::base::error::{Fault, Located, ReadError};
+use crate::base::model::ReadModel;
+use crate::format::{Content, Format};
+use crate::{gzip, obj, off, ply, star, stl, threemf, vrml};
+
+/// Reads a file of any format.
+///
+/// The format is found by the content; where that can be of any, by the ending of the file's name (without the
+/// point, `off` or `stl.gz`). Nothing is rounded: a decimal is the rational number that is written, a binary float
+/// is the dyadic rational that it is.
+///
+/// What a facet may be is checked (three vertices or more, all different, each one of the file), but not what the
+/// facets form together. A file whose facets all have two vertices is a set of segments, one without facets a set of
+/// points.
+///
+/// # Errors
+/// The first thing wrong with the file. Nothing is allocated by what a file promises: memory is at most 32 times its
+/// length and 32 MiB, and a file that needs more is refused.
+///
+/// # Complexity
+/// Linear in the length of the file, unpacked, as long as coordinates have few digits.
+///
+/// ```
+/// use splitstar_formats::{Format, read};
+///
+/// let triangle = b"v 0 0 0\nv 0.1 0 0\nv 0 1e2 0\nf 1 2 -1\n";
+/// let read = read(triangle, None)?;
+/// assert_eq!(read.format, Format::Obj);
+/// let mesh = read.model.shape.mesh().expect("what OBJ can say is a mesh");
+/// assert_eq!(mesh.points[1].coordinates()[0].to_string(), "1/10");
+/// assert_eq!(mesh.facets.get(0), [0, 1, 2]);
+/// # Ok::<(), splitstar_formats::ReadError>(())
+/// ```
+pub fn read(bytes: &[u8], extension: Option<&str>) -> Result<ReadModel, ReadError> {
+    let mut budget = Budget::of_file(bytes.len());
+    if Format::of_content(bytes, bytes.len()) != Content::Gzip {
+        return read_unpacked(bytes, extension, &mut budget);
+    }
+    let unpacked = gzip::unpack(bytes, &mut budget).map_err(|Located { place, fault }| ReadError {
+        format: None,
+        part: None,
+        place,
+        fault,
+    })?;
+    let extension = extension.map(|text| {
+        let packed = text.len() >= 2 && text.is_char_boundary(text.len() - 2);
+        let (stem, ending) = text.split_at(if packed { text.len() - 2 } else { text.len() });
+        if ending.eq_ignore_ascii_case("gz") { stem.trim_end_matches('.') } else { text }
+    });
+    read_unpacked(&unpacked, extension, &mut budget)
+}
+
+fn read_unpacked(bytes: &[u8], extension: Option<&str>, budget: &mut Budget) -> Result<ReadModel, ReadError> {
+    let whole_file = |fault| ReadError { format: None, part: None, place: None, fault };
+    let content = Format::of_content(bytes, bytes.len());
+    let format = match (content, extension.and_then(Format::from_extension)) {
+        (Content::Known(format), _) => format,
+        (Content::Gzip, _) => {
+            return Err(whole_file(Fault::Unsupported {
+                what: "gzip within gzip".into(),
+                instead: "unpack it once".into(),
+            }));
+        }
+        (Content::Unknown, Some(format)) => format,
+        (Content::Unknown | Content::Xml | Content::Json, _) => return Err(unknown(bytes, content)),
+    };
+    let result = match format {
+        Format::Off => off::read(bytes, budget),
+        Format::Obj => obj::read(bytes, budget),
+        Format::Stl => stl::read_binary(bytes, budget),
+        Format::StlAscii => stl::read_ascii(bytes, budget),
+        Format::Ply | Format::PlyBigEndian | Format::PlyAscii => ply::read(bytes, budget),
+        // Its errors name the file within the archive.
+        Format::ThreeMf => return threemf::read(bytes, budget),
+        Format::Glb => Err(Located::from(Fault::Unsupported {
+            what: "glTF".into(),
+            instead: "it is written only; give OBJ, STL, PLY or 3MF".into(),
+        })),
+        Format::Vrml => vrml::read(bytes, budget),
+        Format::Star => star::read(bytes, budget),
+    };
+    result.map_err(|error| error.of_format(format))
+}
+
+fn unknown(bytes: &[u8], content: Content) -> ReadError {
+    use crate::base::places::Place;
+    use crate::base::scan::Scanner;
+    let error = |place, fault| ReadError { format: None, part: None, place, fault };
+    let unsupported = |what: &str, instead: &str| {
+        error(Some(Place::Line(1)), Fault::Unsupported { what: what.into(), instead: instead.into() })
+    };
+    match (content, Scanner::new(bytes).token()) {
+        (_, None) => error(None, Fault::Empty),
+        (Content::Xml, _) => unsupported("bare XML (X3D, COLLADA, AMF, SVG)", "give OBJ, STL, PLY or 3MF"),
+        (Content::Json, _) => unsupported("JSON (glTF as text)", "give OBJ, STL, PLY or 3MF"),
+        (_, Some(token)) => {
+            error(Some(Place::Line(token.line)), Fault::UnknownFormat { token: token.shown() })
+        }
+    }
+}

@@ -1,0 +1,14 @@
+//! 3MF: a zip archive with a model in XML.
+
+use crate::base::budget::Budget;
+use crate::base::error::ReadError;
+use crate::base::model::ReadModel;
+use crate::write::{Body, Task, WriteError};
+
+pub(crate) fn read(_bytes: &[u8], _budget: &mut Budget) -> Result<ReadModel, ReadError> {
+    unimplemented!()
+}
+
+pub(crate) fn write(_task: &Task<'_>) -> Result<Body, WriteError> {
+    unimplemented!()
+}

@@ -1,0 +1,268 @@
+//! A model to bytes, in any format that can hold it.
+
+use crate::base::model::{Kind, Model, Object, Shape, Unit};
+use crate::base::numerals::{Numerals, Rounding, TooLarge};
+use crate::complex::Loss;
+use crate::format::{Encoding, Format};
+use crate::{gltf, gzip, obj, off, ply, star, stl, threemf, vrml};
+use exact::Rational;
+use polytope::{PolygonMesh, TriangulateError};
+use std::borrow::Cow;
+use std::fmt;
+
+/// How a model is written.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct WriteOptions {
+    /// The format, and whether gzip is put around it.
+    pub encoding: Encoding,
+    /// Whether text formats round each coordinate to the nearest double (ties to even), written as the shortest
+    /// decimal that reads back as this double. Facets are in general no longer planar.
+    pub float: bool,
+    /// Whether what the format cannot hold may be left out: the regular part is written, with notes.
+    pub lossy: bool,
+}
+
+impl WriteOptions {
+    /// Exact where the format can be, and nothing left out.
+    pub fn new(encoding: impl Into<Encoding>) -> Self {
+        Self { encoding: encoding.into(), float: false, lossy: false }
+    }
+}
+
+/// A file, and what it does not say of the model.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct Written {
+    /// The file.
+    pub bytes: Vec<u8>,
+    /// The largest difference between a coordinate and the number written for it; zero where all are exact.
+    pub largest_rounding: Rational,
+    /// What had to be changed or left out.
+    pub notes: Vec<WriteNote>,
+}
+
+/// What had to be changed or left out for a format.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum WriteNote {
+    /// The format has triangles only.
+    Triangulated {
+        /// The numbers of facets before and after.
+        from: usize,
+        /// The number of triangles.
+        to: usize,
+    },
+    /// The format has no unit.
+    NoUnit(Unit),
+    /// The format has no objects, or this many were made one.
+    NoObjects(usize),
+    /// Left out, because it was allowed.
+    LeftOut(Loss),
+}
+
+/// Why a model cannot be written as asked.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum WriteError {
+    /// A coordinate lies beyond the largest float of the format.
+    TooLargeForFloat {
+        /// The index of the vertex.
+        vertex: usize,
+    },
+    /// The format has facets only.
+    NoFacets {
+        /// The format.
+        format: Format,
+    },
+    /// The format cannot hold this.
+    Loses {
+        /// The format.
+        format: Format,
+        /// What would be lost, all of it.
+        losses: Vec<Loss>,
+    },
+    /// What is left is not bounded, so that no mesh can hold it.
+    Unbounded,
+    /// A facet cannot be cut into triangles, and the format has nothing else.
+    Triangulate(TriangulateError),
+    /// A count has no room in the format.
+    TooMany {
+        /// The format.
+        format: Format,
+    },
+}
+
+/// A mesh on its way into a file of some format.
+pub(crate) struct Task<'a> {
+    pub(crate) mesh: &'a PolygonMesh,
+    pub(crate) objects: &'a [Object],
+    pub(crate) unit: Option<Unit>,
+    pub(crate) float: bool,
+}
+
+/// A file with the largest rounding.
+pub(crate) struct Body {
+    pub(crate) bytes: Vec<u8>,
+    pub(crate) rounding: Rounding,
+}
+
+impl Task<'_> {
+    /// For formats whose text can be exact.
+    pub(crate) fn numerals(&self, exact: Numerals) -> Numerals {
+        if self.float { Numerals::Floats } else { exact }
+    }
+
+    /// The names of the runs of facets, with their ranges, and a nameless one for facets before the first object.
+    pub(crate) fn runs(&self) -> Vec<(&str, std::ops::Range<usize>)> {
+        let end = self.mesh.facets.len();
+        let first = self.objects.first().map_or(end, |object| object.first_facet as usize);
+        let mut runs = Vec::with_capacity(self.objects.len() + 1);
+        if first > 0 || self.objects.is_empty() {
+            runs.push(("", 0..first));
+        }
+        for (at, object) in self.objects.iter().enumerate() {
+            let next = self.objects.get(at + 1).map_or(end, |object| object.first_facet as usize);
+            runs.push((object.name.as_str(), object.first_facet as usize..next));
+        }
+        runs
+    }
+}
+
+/// Adds the vertex to what has no room in a float.
+pub(crate) fn too_large(vertex: usize) -> impl FnOnce(TooLarge) -> WriteError {
+    move |TooLarge| WriteError::TooLargeForFloat { vertex }
+}
+
+/// Writes a model. The same model gives the same bytes.
+///
+/// Exact are OFF, VRML and star; decimal formats (OBJ, 3MF, PLY and STL as text) are exact for decimals of at most
+/// 40 digits and round other numbers to the nearest double; binary PLY rounds to doubles, binary STL and glTF to
+/// 32-bit floats. The largest rounding is returned.
+///
+/// # Errors
+/// What the format cannot hold, unless it may be left out; a coordinate beyond the floats of the format.
+///
+/// # Complexity
+/// O(n log n) for n corners of facets, and linear in the digits for coordinates of bounded width.
+///
+/// ```
+/// use splitstar_formats::{Format, WriteOptions, read, write};
+///
+/// let model = read(b"OFF\n3 1 0\n0 0 0\n1/3 0 0\n0 1 0\n3 0 1 2\n", None)?.model;
+/// let written = write(&model, &WriteOptions::new(Format::Obj))?;
+/// assert_eq!(written.bytes, b"v 0 0 0\nv 0.3333333333333333 0 0\nv 0 1 0\nf 1 2 3\n");
+/// assert_eq!(written.largest_rounding.to_string(), "1/30000000000000000");
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn write(model: &Model, options: &WriteOptions) -> Result<Written, WriteError> {
+    let Encoding { format, gzip } = options.encoding;
+    let mut notes = Vec::new();
+    let body = match &model.shape {
+        Shape::Complex(complex) if format == Format::Star => star::write_complex(complex, model, options)?,
+        Shape::Mesh(mesh) => write_mesh(mesh, model, options, &mut notes)?,
+        Shape::Complex(complex) => {
+            let mesh = complex.to_mesh(format, options.lossy, &mut notes)?;
+            write_mesh(&mesh, model, options, &mut notes)?
+        }
+    };
+    let bytes = if gzip { gzip::pack(&body.bytes) } else { body.bytes };
+    Ok(Written { bytes, largest_rounding: body.rounding.0, notes })
+}
+
+fn write_mesh(
+    mesh: &PolygonMesh,
+    model: &Model,
+    options: &WriteOptions,
+    notes: &mut Vec<WriteNote>,
+) -> Result<Body, WriteError> {
+    let format = options.encoding.format;
+    let can = format.abilities();
+    let polygons = Kind::of(mesh).has_polygons();
+    if !can.points && !polygons {
+        return Err(WriteError::NoFacets { format });
+    }
+    let mut mesh = Cow::Borrowed(mesh);
+    let mut objects = Cow::Borrowed(&model.objects);
+    if !can.polygons && polygons && mesh.facets.iter().any(|cycle| cycle.len() > 3) {
+        let triangles = mesh.triangulated().map_err(WriteError::Triangulate)?;
+        notes.push(WriteNote::Triangulated { from: mesh.facets.len(), to: triangles.facets.len() });
+        objects = Cow::Owned(model.objects.iter().map(|object| triangulated(object, &mesh)).collect());
+        mesh = Cow::Owned(triangles);
+    }
+    if !can.objects && model.objects.len() > 1 {
+        notes.push(WriteNote::NoObjects(model.objects.len()));
+    }
+    if let (false, Some(unit)) = (can.unit, model.unit) {
+        notes.push(WriteNote::NoUnit(unit));
+    }
+    let task = Task { mesh: &mesh, objects: &objects, unit: model.unit, float: options.float };
+    match format {
+        Format::Off => off::write(&task),
+        Format::Obj => obj::write(&task),
+        Format::Stl => stl::write_binary(&task),
+        Format::StlAscii => stl::write_ascii(&task),
+        Format::Ply | Format::PlyBigEndian | Format::PlyAscii => ply::write(&task, format),
+        Format::ThreeMf => threemf::write(&task),
+        Format::Glb => gltf::write(&task),
+        Format::Vrml => vrml::write(&task),
+        Format::Star => star::write_mesh(&task),
+    }
+}
+
+/// Each facet of k corners has become k - 2 triangles.
+fn triangulated(object: &Object, mesh: &PolygonMesh) -> Object {
+    let before = mesh.facets.iter().take(object.first_facet as usize);
+    let first_facet = before.map(|cycle| cycle.len().max(3) as u32 - 2).sum();
+    Object { name: object.name.clone(), first_facet }
+}
+
+impl fmt::Display for WriteNote {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Triangulated { from, to } => {
+                write!(f, "the format has triangles only: {from} facets cut into {to}")
+            }
+            Self::NoUnit(unit) => write!(f, "the format has no unit: {unit} is not written"),
+            Self::NoObjects(objects) => {
+                write!(f, "the format has no objects: {objects} are written as one, without their names")
+            }
+            Self::LeftOut(loss) => write!(f, "left out: {loss}"),
+        }
+    }
+}
+
+impl fmt::Display for WriteError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::TooLargeForFloat { vertex } => write!(
+                f,
+                "vertex {vertex} has a coordinate beyond the largest float; write OFF or star with exact coordinates, \
+                 or scale down"
+            ),
+            Self::NoFacets { format } => write!(
+                f,
+                "{format} has facets only, and there is none of three vertices; write OFF, OBJ, PLY or star"
+            ),
+            Self::Loses { format, losses } => {
+                write!(f, "{format} cannot hold ")?;
+                for (at, loss) in losses.iter().enumerate() {
+                    let joint = if at == 0 { "" } else { ", and " };
+                    write!(f, "{joint}{loss}")?;
+                }
+                f.write_str("; write star, or leave it out with --lossy")
+            }
+            Self::Unbounded => {
+                f.write_str("the set is unbounded, and only star can hold it; write star, or cut it off")
+            }
+            Self::Triangulate(error) => {
+                write!(f, "the format has triangles only, and {error}; write OFF, OBJ, PLY or star")
+            }
+            Self::TooMany { format } => {
+                write!(f, "the model is too large for {format}; write OFF or PLY")
+            }
+        }
+    }
+}
+
+impl std::error::Error for WriteError {}
