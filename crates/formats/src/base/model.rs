@@ -110,6 +110,14 @@ impl Shape {
             Self::Complex(_) => None,
         }
     }
+
+    /// The mesh, if it is one.
+    pub fn into_mesh(self) -> Option<PolygonMesh> {
+        match self {
+            Self::Mesh(mesh) => Some(mesh),
+            Self::Complex(_) => None,
+        }
+    }
 }
 
 impl Unit {
