@@ -5,6 +5,11 @@ use crate::base::error::Located;
 use crate::base::model::ReadModel;
 use crate::write::{Body, Task, WriteError};
 
+/// Whether a longer file that begins like this may be binary STL.
+pub(crate) fn may_be_binary(_start: &[u8]) -> bool {
+    false
+}
+
 /// Whether a file is binary STL.
 pub(crate) fn is_binary(_start: &[u8], _length: usize) -> bool {
     false
