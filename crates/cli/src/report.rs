@@ -43,9 +43,8 @@ struct Corners {
 pub(crate) struct Made {
     pub(crate) method: &'static str,
     pub(crate) width_bits: u32,
-    /// The largest rounding, if floats were written.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(crate) rounding: Option<String>,
+    /// The largest rounding of what was written.
+    pub(crate) rounding: String,
     /// The quaternion of a rotation: w, x, y, z.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) quaternion: Option<[String; 4]>,
@@ -153,8 +152,8 @@ impl Corners {
 }
 
 /// The widest integer, in bits, among the coordinates and weights of points.
-pub(crate) fn width_bits(points: &[Point3]) -> u32 {
-    points.iter().map(Point3::bits).max().unwrap_or(0)
+pub(crate) fn width_bits(points: &[&Point3]) -> u32 {
+    points.iter().map(|point| point.bits()).max().unwrap_or(0)
 }
 
 /// Measures one phase after the other.
