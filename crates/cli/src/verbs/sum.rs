@@ -5,7 +5,7 @@ use super::{Job, Outcome, used_points};
 use crate::approx::approx_root;
 use crate::args::{Method, Run};
 use crate::console::Console;
-use crate::explain::mesh_error;
+use crate::explain::{mesh_error, triangles_error};
 use crate::failure::Failure;
 use crate::input::Operand;
 use splitstar::polytope::{
@@ -68,12 +68,9 @@ fn too_many_sums(a: usize, b: usize) -> bool {
 
 /// The polytope of a file, cut into triangles if that is wanted; of a file that is not convex its hull, if that is wanted.
 fn summand(operand: &Operand, run: &Run, console: &Console) -> Result<Polytope, Failure> {
-    let triangles;
-    let mut mesh = operand.mesh()?;
-    if run.triangulate {
-        triangles = triangulated(mesh, operand)?;
-        mesh = &triangles;
-    }
+    let filed = operand.mesh()?;
+    let triangles = run.triangulate.then(|| triangulated(filed, operand)).transpose()?;
+    let mesh = triangles.as_ref().unwrap_or(filed);
     let mut notes = Vec::new();
     match Polytope::from_mesh(mesh, &mut notes) {
         Ok(polytope) => {
@@ -98,8 +95,11 @@ fn summand(operand: &Operand, run: &Run, console: &Console) -> Result<Polytope, 
             Ok(hull)
         }
         Err(error) => {
-            let (line, what) = mesh_error(&error, operand);
-            Err(operand.failure(line, format!("{what}; {}", way_out(&error))))
+            let (place, what) = match &triangles {
+                Some(_) => triangles_error(&error, operand, filed),
+                None => mesh_error(&error, operand),
+            };
+            Err(operand.failure(place, format!("{what}; {}", way_out(&error))))
         }
     }
 }

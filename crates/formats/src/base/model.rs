@@ -3,7 +3,7 @@
 use crate::base::places::Places;
 use crate::complex::Complex;
 use crate::format::Format;
-use exact::{Integer, Point3, Rational};
+use exact::{Affine3, Integer, Point3, Rational};
 use polytope::PolygonMesh;
 use std::fmt;
 
@@ -132,6 +132,14 @@ impl Shape {
         };
         let of_mesh = mesh.into_iter().flat_map(|mesh| mesh.points.iter());
         of_mesh.chain(complex.into_iter().flat_map(Complex::points))
+    }
+
+    /// The same cells under an affine map; cycles are turned round if the map reflects.
+    pub fn transformed(&self, map: &Affine3) -> Self {
+        match self {
+            Self::Mesh(mesh) => Self::Mesh(mesh.transformed(map)),
+            Self::Complex(complex) => Self::Complex(complex.transformed(map)),
+        }
     }
 
     /// The mesh, if it is one.
