@@ -65,6 +65,19 @@ pub struct ReadModel {
     pub format: Format,
     /// Where the cells stand.
     pub places: Places,
+    /// What of the file is not in the model.
+    pub notes: Vec<ReadNote>,
+}
+
+/// What was left out of a model because it means nothing there.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum ReadNote {
+    /// STL has no indices: a facet with two corners at the same position is no facet.
+    DegenerateDropped {
+        /// The number of such facets.
+        facets: usize,
+    },
 }
 
 /// What the facets of a mesh make of its points.
@@ -153,6 +166,19 @@ impl Unit {
             Self::Meter => (1, 1),
         };
         Rational::new(Integer::from(numerator), Integer::from(denominator)).expect("no denominator is zero")
+    }
+}
+
+impl fmt::Display for ReadNote {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::DegenerateDropped { facets: 1 } => {
+                f.write_str("1 facet has two corners at the same position: left out")
+            }
+            Self::DegenerateDropped { facets } => {
+                write!(f, "{facets} facets have two corners at the same position: left out")
+            }
+        }
     }
 }
 
