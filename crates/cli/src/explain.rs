@@ -4,13 +4,25 @@ use crate::approx::approx_root;
 use crate::input::Operand;
 use splitstar::exact::Rational;
 use splitstar::formats::Place;
-use splitstar::polytope::{Defect, MeshError};
+use splitstar::polytope::{Defect, MeshError, PolygonMesh};
 
 /// The place at fault, and what is wrong there; not yet what to do.
 pub(crate) fn mesh_error(error: &MeshError, operand: &Operand) -> (Option<Place>, String) {
-    let places = Places(operand);
+    mesh_error_in(error, &Places { operand, triangulated: None })
+}
+
+/// The same of the mesh that came of cutting the facets of `mesh` into triangles.
+pub(crate) fn triangles_error(
+    error: &MeshError,
+    operand: &Operand,
+    mesh: &PolygonMesh,
+) -> (Option<Place>, String) {
+    mesh_error_in(error, &Places { operand, triangulated: Some(mesh) })
+}
+
+fn mesh_error_in(error: &MeshError, places: &Places<'_>) -> (Option<Place>, String) {
     match error {
-        MeshError::NotClosed(defect) => not_closed(*defect, &places),
+        MeshError::NotClosed(defect) => not_closed(*defect, places),
         MeshError::NonPlanar { facet, vertex, squared_distance } => (
             places.facet(*facet),
             format!(
@@ -104,27 +116,46 @@ fn not_closed(defect: Defect, places: &Places<'_>) -> (Option<Place>, String) {
 }
 
 /// Names the cells of a mesh by their places in its file.
-struct Places<'a>(&'a Operand);
+struct Places<'a> {
+    operand: &'a Operand,
+    /// The mesh of the file, where the one at fault has its triangles.
+    triangulated: Option<&'a PolygonMesh>,
+}
 
 impl Places<'_> {
     /// A single polygon has a back that is in no file: the polygon stands for it.
     fn facet(&self, facet: u32) -> Option<Place> {
-        self.0.facet_place(facet as usize).or_else(|| self.0.facet_place(0))
+        let facet = self.facet_of_file(facet) as usize;
+        self.operand.facet_place(facet).or_else(|| self.operand.facet_place(0))
+    }
+
+    /// A facet of k corners has become k - 2 triangles.
+    fn facet_of_file(&self, facet: u32) -> u32 {
+        let Some(mesh) = self.triangulated else { return facet };
+        let mut triangles = 0;
+        let is_in = |cycle: &[u32]| {
+            triangles += cycle.len().max(3) - 2;
+            triangles > facet as usize
+        };
+        mesh.facets.iter().position(is_in).map_or(facet, |found| found as u32)
     }
 
     fn vertex_place(&self, vertex: u32) -> Option<Place> {
-        self.0.vertex_place(vertex as usize)
+        self.operand.vertex_place(vertex as usize)
     }
 
     fn vertex(&self, vertex: u32) -> String {
+        let name = vertex + self.operand.read.format.first_index();
         match self.vertex_place(vertex) {
-            Some(place) => format!("vertex {vertex} ({place})"),
-            None => format!("vertex {vertex}"),
+            Some(place) => format!("vertex {name} ({place})"),
+            None => format!("vertex {name}"),
         }
     }
 
     fn facets(&self, [left, right]: [u32; 2]) -> String {
-        match [left, right].map(|facet| self.facet(facet)) {
+        let places = [left, right].map(|facet| self.facet(facet));
+        let [left, right] = [left, right].map(|facet| self.facet_of_file(facet));
+        match places {
             [Some(a), Some(b)] => format!("facets {left} ({a}) and {right} ({b})"),
             _ => format!("facets {left} and {right}"),
         }

@@ -40,6 +40,13 @@ impl Operand {
         Ok(Self { name, read })
     }
 
+    /// Tells what the reader had to leave out.
+    pub(crate) fn tell_notes(&self, console: &Console) {
+        for note in &self.read.notes {
+            console.note(&self.name, None, &note.to_string());
+        }
+    }
+
     /// The failure of this file at a place.
     pub(crate) fn failure(&self, place: Option<formats::Place>, sentence: impl Into<String>) -> Failure {
         Failure::file(&self.name, place, sentence)

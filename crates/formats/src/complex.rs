@@ -83,6 +83,19 @@ impl Complex {
         unimplemented!()
     }
 
+    /// The points among its vertices, in order.
+    pub fn points(&self) -> impl Iterator<Item = &Point3> {
+        self.vertices.iter().filter_map(|vertex| match &vertex.position {
+            Position::Point(point) => Some(point),
+            Position::Direction(_) => None,
+        })
+    }
+
+    /// Whether there are vertices at infinity.
+    pub fn has_directions(&self) -> bool {
+        self.vertices.iter().any(|vertex| matches!(vertex.position, Position::Direction(_)))
+    }
+
     /// The complex of a mesh.
     pub fn of_mesh(_mesh: &PolygonMesh) -> Self {
         unimplemented!()

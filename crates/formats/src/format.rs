@@ -94,6 +94,11 @@ impl Format {
         }
     }
 
+    /// The index that files of this format give the first vertex.
+    pub fn first_index(self) -> u32 {
+        u32::from(self == Self::Obj)
+    }
+
     pub(crate) fn abilities(self) -> Abilities {
         let mesh = Abilities { polygons: true, points: true, objects: false, unit: false };
         match self {

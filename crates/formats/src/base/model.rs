@@ -3,7 +3,7 @@
 use crate::base::places::Places;
 use crate::complex::Complex;
 use crate::format::Format;
-use exact::{Integer, Rational};
+use exact::{Affine3, Integer, Point3, Rational};
 use polytope::PolygonMesh;
 use std::fmt;
 
@@ -121,6 +121,24 @@ impl Shape {
         match self {
             Self::Mesh(mesh) => Some(mesh),
             Self::Complex(_) => None,
+        }
+    }
+
+    /// The points among its vertices, in order.
+    pub fn points(&self) -> impl Iterator<Item = &Point3> {
+        let (mesh, complex) = match self {
+            Self::Mesh(mesh) => (Some(mesh), None),
+            Self::Complex(complex) => (None, Some(complex)),
+        };
+        let of_mesh = mesh.into_iter().flat_map(|mesh| mesh.points.iter());
+        of_mesh.chain(complex.into_iter().flat_map(Complex::points))
+    }
+
+    /// The same cells under an affine map; cycles are turned round if the map reflects.
+    pub fn transformed(&self, map: &Affine3) -> Self {
+        match self {
+            Self::Mesh(mesh) => Self::Mesh(mesh.transformed(map)),
+            Self::Complex(complex) => Self::Complex(complex.transformed(map)),
         }
     }
 
