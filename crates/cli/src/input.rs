@@ -34,7 +34,8 @@ impl Operand {
             Place::Standard => read_stream(&mut io::stdin().lock(), &name, None)?,
             Place::File(path) => read_file(path, &name, file_name.as_deref())?,
         };
-        let read = formats::read(&bytes, file_name.as_deref()).map_err(|error| Failure::read(&name, &error))?;
+        let read =
+            formats::read(&bytes, file_name.as_deref()).map_err(|error| Failure::read(&name, &error))?;
         console.step_done();
         let name = part_name(&name, read.places.part.as_deref());
         Ok(Self { name, read })
