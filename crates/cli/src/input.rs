@@ -96,7 +96,7 @@ fn read_file(path: &Path, name: &str, file_name: Option<&str>) -> Result<Vec<u8>
 }
 
 /// A stream may have no end: it is read on only if its start may be a file.
-fn read_stream(stream: &mut dyn Read, name: &str, file_name: Option<&str>) -> Result<Vec<u8>, Failure> {
+fn read_stream(stream: &mut impl Read, name: &str, file_name: Option<&str>) -> Result<Vec<u8>, Failure> {
     let failed = |error: io::Error| Failure::file(name, None, cannot_read(&error));
     let mut bytes = Vec::new();
     stream.by_ref().take(START).read_to_end(&mut bytes).map_err(failed)?;
