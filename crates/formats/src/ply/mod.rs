@@ -2,7 +2,7 @@
 //!
 //! | files | role |
 //! |---|---|
-//! | `double` | points to doubles and back |
+//! | `double` | points to doubles |
 //! | `scalar` | the types of numbers, and their bytes |
 //! | `header` | which elements there are, and what a reader does at each of their properties |
 //! | `ascii`, `binary` | the records of the elements |
