@@ -1,8 +1,9 @@
 //! glTF 2, binary (`.glb`): written only.
 //!
-//! Every run of facets is a node with a mesh of its own. Positions are 32-bit floats; there are no normals, so that
-//! the facets are shown flat. The unit of glTF is the meter: a model with a unit is scaled to it exactly, before the
-//! coordinates are rounded; one without is written as it is. The axes are kept: what shows the file takes y for up.
+//! Every run of facets is a node with a mesh of its own. Positions are 32-bit floats; there are no normals,
+//! so that the facets are shown flat. The unit of glTF is the meter: a model with a unit is scaled to it
+//! exactly, before the coordinates are rounded; one without is written as it is. The axes are kept: what
+//! shows the file takes y for up.
 
 use crate::base::float::nearest_f32s;
 use crate::base::model::{Kind, Unit};
@@ -26,8 +27,8 @@ const TRIANGLES: u32 = 4;
 const FILE_HEADER: usize = 12;
 const CHUNK_HEADER: usize = 8;
 
-/// Writes triangles, segments or points. A run has the vertices that its facets use, in the order of the mesh; an object
-/// without facets is a node without a mesh.
+/// Writes triangles, segments or points. A run has the vertices that its facets use, in the order of the
+/// mesh; an object without facets is a node without a mesh.
 ///
 /// # Errors
 /// A file of 4 GiB or more; a coordinate beyond the largest 32-bit float.
@@ -69,8 +70,8 @@ pub(crate) fn write(task: &Task<'_>) -> Result<Body, WriteError> {
     Ok(Body { bytes: file.into_bytes()?, rounding })
 }
 
-/// The parts of a file. Objects of JSON have their keys in alphabetical order, so that the bytes are the same whether
-/// the library sorts them or keeps them.
+/// The parts of a file. Objects of JSON have their keys in alphabetical order, so that the bytes are the same
+/// whether the library sorts them or keeps them.
 #[derive(Default)]
 struct Assembly {
     binary: Vec<u8>,
@@ -162,8 +163,8 @@ impl Assembly {
         self.nodes.push(node.into());
     }
 
-    /// The file: its header, a chunk of JSON and one of numbers, both of a length that 4 divides. The specification
-    /// forbids empty lists and empty buffers: they are left out.
+    /// The file: its header, a chunk of JSON and one of numbers, both of a length that 4 divides. The
+    /// specification forbids empty lists and empty buffers: they are left out.
     fn into_bytes(self) -> Result<Vec<u8>, WriteError> {
         let Self { binary, views, accessors, meshes, nodes } = self;
         let buffers = if binary.is_empty() { vec![] } else { vec![json!({ "byteLength": binary.len() })] };

@@ -3,8 +3,8 @@
 use crate::base::numerals::{Rounding, TooLarge};
 use exact::{Point3, Rational};
 
-/// Rounds the coordinates of a point to the nearest doubles, and keeps the largest rounding. Zero, and what rounds to
-/// it, has no sign.
+/// Rounds the coordinates of a point to the nearest doubles, and keeps the largest rounding. Zero, and what
+/// rounds to it, has no sign.
 pub(super) fn nearest_doubles(point: &Point3, rounding: &mut Rounding) -> Result<[f64; 3], TooLarge> {
     let doubles = point.approx_f64().map(|double| double + 0.0);
     if doubles.iter().any(|double| !double.is_finite()) {
@@ -22,8 +22,8 @@ pub(super) fn nearest_doubles(point: &Point3, rounding: &mut Rounding) -> Result
     Ok(doubles)
 }
 
-/// Whether all coordinates are doubles, as far as machine words tell: numerators over a power of two, each with at most
-/// 53 binary digits between its first one and its last. Their exponents lie between -61 and 61.
+/// Whether all coordinates are doubles, as far as machine words tell: numerators over a power of two, each
+/// with at most 53 binary digits between its first one and its last. Their exponents lie between -61 and 61.
 fn is_exact(point: &Point3) -> bool {
     let Some(&[x, y, z, weight]) = point.as_narrow() else { return false };
     let fits = |value: i64| {
