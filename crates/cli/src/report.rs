@@ -1,9 +1,7 @@
 //! The facts about a mesh or a result: one JSON object, or a readable table.
 
-use crate::failure::one_line;
 use serde::Serialize;
 use splitstar::exact::{Point3, Rational};
-use splitstar::formats::{Format, Model, Unit};
 use splitstar::polytope::{Bounds, MeshSummary, PolygonMesh, Polytope};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
@@ -16,8 +14,6 @@ pub(crate) struct Report {
     facets: usize,
     #[serde(skip_serializing_if = "Option::is_none")]
     filed: Option<Filed>,
-    #[serde(flatten, skip_serializing_if = "Option::is_none")]
-    file: Option<FileFacts>,
     dimension: Option<u8>,
     convex: bool,
     closed: bool,
@@ -36,14 +32,6 @@ struct Filed {
     facets: usize,
 }
 
-/// What a file says beside its cells.
-#[derive(Serialize)]
-struct FileFacts {
-    format: &'static str,
-    unit: Option<&'static str>,
-    objects: Vec<String>,
-}
-
 #[derive(Serialize)]
 struct Corners {
     min: [String; 3],
@@ -55,8 +43,9 @@ struct Corners {
 pub(crate) struct Made {
     pub(crate) method: &'static str,
     pub(crate) width_bits: u32,
-    /// The largest rounding of what was written.
-    pub(crate) rounding: String,
+    /// The largest rounding, if floats were written.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(crate) rounding: Option<String>,
     /// The quaternion of a rotation: w, x, y, z.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(crate) quaternion: Option<[String; 4]>,
@@ -77,7 +66,6 @@ impl Report {
             edges: summary.edges,
             facets: summary.facets,
             filed: None,
-            file: None,
             dimension: summary.dimension,
             convex: summary.convex,
             closed: summary.closed,
@@ -101,7 +89,6 @@ impl Report {
             edges: counts.edges,
             facets: counts.facets,
             filed: None,
-            file: None,
             dimension: Some(polytope.dimension()),
             convex: true,
             closed: true,
@@ -115,13 +102,6 @@ impl Report {
 
     pub(crate) fn filed(self, vertices: usize, facets: usize) -> Self {
         Self { filed: Some(Filed { vertices, facets }), ..self }
-    }
-
-    /// The file that was read, or written.
-    pub(crate) fn file(self, format: Format, model: &Model) -> Self {
-        let objects = model.objects.iter().map(|object| object.name.clone()).collect();
-        let file = FileFacts { format: format.name(), unit: model.unit.map(Unit::name), objects };
-        Self { file: Some(file), ..self }
     }
 
     pub(crate) fn made(self, made: Made) -> Self {
@@ -140,16 +120,6 @@ impl Report {
         let mut row = |name: &str, value: &dyn std::fmt::Display| {
             writeln!(text, "{name:<12}{value}").expect("writing to memory does not fail");
         };
-        if let Some(file) = &self.file {
-            row("format", &file.format);
-            if let Some(unit) = file.unit {
-                row("unit", &unit);
-            }
-            if !file.objects.is_empty() {
-                let names: Vec<String> = file.objects.iter().map(|name| one_line(name)).collect();
-                row("objects", &format_args!("{}: {}", names.len(), names.join(", ")));
-            }
-        }
         let filed = |count: Option<usize>| count.map_or(String::new(), |n| format!(" (filed {n})"));
         let vertices = filed(self.filed.as_ref().map(|f| f.vertices).filter(|&n| n != self.vertices));
         let facets = filed(self.filed.as_ref().map(|f| f.facets).filter(|&n| n != self.facets));
@@ -183,8 +153,8 @@ impl Corners {
 }
 
 /// The widest integer, in bits, among the coordinates and weights of points.
-pub(crate) fn width_bits(points: &[&Point3]) -> u32 {
-    points.iter().map(|point| point.bits()).max().unwrap_or(0)
+pub(crate) fn width_bits(points: &[Point3]) -> u32 {
+    points.iter().map(Point3::bits).max().unwrap_or(0)
 }
 
 /// Measures one phase after the other.

@@ -18,8 +18,7 @@ pub fn repository() -> PathBuf {
 pub fn model_mesh(path: &str) -> PolygonMesh {
     let bytes = std::fs::read(repository().join("models").join(path));
     let bytes = bytes.unwrap_or_else(|error| panic!("models/{path}: {error}"));
-    let read = formats::read(&bytes, None).unwrap_or_else(|error| panic!("models/{path}: {error}"));
-    read.model.shape.into_mesh().expect("an OFF file has a mesh")
+    formats::read_off(&bytes).unwrap_or_else(|error| panic!("models/{path}: {error}")).mesh
 }
 
 /// Reads a convex model that needs no mending.
