@@ -61,13 +61,13 @@ impl std::error::Error for HoleError {}
 /// front, cover the facet once, and have each edge of a cycle as an edge.
 ///
 /// The cycles are lists of indices into `points`; the outer one is counterclockwise and holes are clockwise, both
-/// seen from the front. For c corners and h holes there are c + 2 h - 2 triangles, if every hole has two corners
-/// or more and the outer cycle does not touch itself from outside.
+/// seen from the front. For c corners and h holes, none of one corner and none touching another cycle, there are
+/// c + 2 h - 2 triangles.
 ///
 /// Degenerate: cycles may touch one another and themselves at vertices, have straight corners, and run through an
 /// edge both ways. A hole of two corners is such an edge, and a hole of one corner a vertex inside: both are in
-/// the triangulation, but a hole of one corner that is not inside the facet is ignored. Where cycles touch at vertices
-/// of the same position, corners must be the same vertex only if the facet on one side of them needs both.
+/// the triangulation, but a hole of one corner that is not inside the facet is ignored. Different vertices at one
+/// place are told apart; where a piece of the facet has its corner at both, the boundary is tangled.
 ///
 /// ```
 /// use exact::Point3;
