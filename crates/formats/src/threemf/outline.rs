@@ -1,8 +1,8 @@
 //! What a model is made of: where its meshes stand, and how they are put together.
 
+use super::CORE;
 use super::transform::{self, Map};
 use super::xml::{Element, Value, Xml};
-use super::CORE;
 use crate::base::budget::Budget;
 use crate::base::error::{At, Fault, Located};
 use crate::base::model::Unit;
@@ -75,12 +75,8 @@ pub(super) fn read(text: &str, budget: &mut Budget) -> Result<Outline, Located> 
     if let Some(required) = required {
         check_extensions(&xml, &required)?;
     }
-    let outline = Outline {
-        unit: read_unit(unit)?,
-        objects: Vec::new(),
-        components: Vec::new(),
-        items: Vec::new(),
-    };
+    let outline =
+        Outline { unit: read_unit(unit)?, objects: Vec::new(), components: Vec::new(), items: Vec::new() };
     let mut reader = Reader { xml, budget, outline, numbers: HashMap::new(), prefixes: Rc::default() };
     if root.has_content() {
         reader.model()?;
@@ -169,7 +165,9 @@ impl<'t> Reader<'t, '_> {
             Some("support" | "solidsupport") => true,
             Some(_) => {
                 let kind = kind.expect("there is one");
-                return Err(kind.token().unexpected("a type (model, solidsupport, support, surface or other)"));
+                return Err(kind
+                    .token()
+                    .unexpected("a type (model, solidsupport, support, surface or other)"));
             }
         };
         let name = name.or(part).map(|name| name.trimmed().to_string()).unwrap_or_default();
@@ -230,7 +228,8 @@ impl<'t> Reader<'t, '_> {
     /// An item or a component. Its object is still the number in the file.
     fn reference(&mut self, element: &Element<'t>) -> Result<Reference, Located> {
         if let Some(path) = self.xml.attribute_of(element, "path", PRODUCTION)? {
-            let what = format!("a model in several parts (`{}`)", Token { bytes: path.as_bytes(), line: 0 }.shown());
+            let what =
+                format!("a model in several parts (`{}`)", Token { bytes: path.as_bytes(), line: 0 }.shown());
             let instead = "export it as one part".into();
             return Err(Fault::Unsupported { what, instead }.at(Place::Line(element.line)));
         }

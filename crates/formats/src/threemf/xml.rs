@@ -83,7 +83,12 @@ impl<'t> Xml<'t> {
     }
 
     /// Begins at an element within a text, where these prefixes are bound to the namespace of the model.
-    pub(super) fn at_element(text: &'t str, at: usize, line: u32, prefixes: &[String]) -> Result<Self, Located> {
+    pub(super) fn at_element(
+        text: &'t str,
+        at: usize,
+        line: u32,
+        prefixes: &[String],
+    ) -> Result<Self, Located> {
         let mut reader = NsReader::from_str(&text[at..]);
         for prefix in prefixes {
             let declaration = match prefix.as_str() {
@@ -291,7 +296,9 @@ impl<'t> Xml<'t> {
             Error::IllFormed(IllFormedError::UnmatchedEndTag(found)) => {
                 token(format!("</{found}>").as_bytes()).unexpected("the end of the text")
             }
-            Error::Namespace(NamespaceError::TooManyBindings(_)) => too_many_namespaces().at(Place::Line(line)),
+            Error::Namespace(NamespaceError::TooManyBindings(_)) => {
+                too_many_namespaces().at(Place::Line(line))
+            }
             _ => {
                 let tag = self.text[at..].split_inclusive('>').next().unwrap_or_default();
                 token(tag.as_bytes()).unexpected("well-formed XML")
@@ -301,7 +308,10 @@ impl<'t> Xml<'t> {
 }
 
 fn too_many_namespaces() -> Fault {
-    Fault::Unsupported { what: "a text with so many namespaces".into(), instead: "export the model again".into() }
+    Fault::Unsupported {
+        what: "a text with so many namespaces".into(),
+        instead: "export the model again".into(),
+    }
 }
 
 /// What was read, as far as it matters.
@@ -325,7 +335,10 @@ impl Element<'_> {
     }
 
     /// The attributes of these names, none of which may be there twice.
-    pub(super) fn attributes<const N: usize>(&self, names: [&str; N]) -> Result<[Option<Value<'_>>; N], Located> {
+    pub(super) fn attributes<const N: usize>(
+        &self,
+        names: [&str; N],
+    ) -> Result<[Option<Value<'_>>; N], Located> {
         let mut values = [const { None }; N];
         for attribute in self.start.attributes().with_checks(false) {
             let attribute = attribute.map_err(|_| self.bad_attributes())?;
