@@ -85,7 +85,8 @@ impl<'a> Scene<'a, '_> {
                 }
                 let vertices = Vertices { first, count: self.maker.vertex_count() - first };
                 self.maker.budget().charge(ENTRY).at_line(node.kind.line)?;
-                self.shared.insert(node.offset, Shared { frame: Rc::clone(frame), vertices });
+                let shared = || Shared { frame: Rc::clone(frame), vertices };
+                self.shared.entry(node.offset).or_insert_with(shared);
                 vertices
             }
         };

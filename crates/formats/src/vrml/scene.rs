@@ -17,14 +17,17 @@ use std::rc::Rc;
 /// Nodes may be nested so deep, counted through `USE`.
 const DEEPEST: usize = 64;
 
+/// What `USE` is charged beside the node that it repeats, so that many small ones end soon.
+const USE: u64 = 64;
+
 /// Reads a VRML 2 file.
 ///
 /// - Each `Shape` gives an object, under the name (`DEF`) of the shape or of the nearest group around it that has one:
 ///   the facets of an `IndexedFaceSet` or of a `Box`, the segments of an `IndexedLineSet`, or points of a `PointSet`.
 ///   Round primitives and other geometry are refused.
 /// - `Coordinate` may have fractions; `ExactCoordinate` has them in its field `exact` (see the module), or as words in
-///   its field `point` where there is no other. Shapes that share coordinates by `USE` share their vertices, if they
-///   stand in the same place.
+///   its field `point` where there is no other. Shapes that share coordinates by `USE` share the vertices of the
+///   first of them, where they stand in the same place.
 /// - `Group`, `Anchor`, `Billboard`, `Collision` and `Transform` are walked, of a `LOD` the finest level, of a `Switch`
 ///   the choice. A `Transform` may not rotate. Nodes of types that the file defines (`PROTO`) are passed over if they
 ///   have no shape in them, and refused otherwise, and so is `Inline`.
@@ -140,7 +143,7 @@ impl<'a> Scene<'a, '_> {
         *lexer = node.body;
         if let Some(used) = node.used {
             let repeated = node.body.offset() - node.offset;
-            self.maker.budget().charge(repeated as u64).at_line(node.kind.line)?;
+            self.maker.budget().charge(USE + repeated as u64).at_line(node.kind.line)?;
             *lexer = used;
         }
         Ok(())
