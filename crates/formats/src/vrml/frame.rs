@@ -37,8 +37,8 @@ impl Frame {
 
     /// The frame within a `Transform` of this one, which begins in this line.
     ///
-    /// A rotation is given by an angle in radians, whose sine and cosine are irrational for every decimal but zero:
-    /// only zero is read.
+    /// A rotation is given by an angle in radians, whose sine and cosine are irrational for every decimal but
+    /// zero: only zero is read.
     pub(super) fn within(&self, fields: TransformFields<'_>, line: u32) -> Result<Self, Located> {
         let scale = vector(fields.scale, Rational::ONE)?;
         let [shift, center] =

@@ -193,7 +193,8 @@ impl<'a> Scene<'a, '_> {
 
     /// A box about the origin, with its edges along the axes.
     fn cuboid(&mut self, size: Option<Lexer<'a>>, frame: &Rc<Frame>, kind: Token<'a>) -> Result<(), Located> {
-        // Corner 0 is the lowest in all coordinates; bit 0 of a number means high x, bit 1 high y, bit 2 high z.
+        // Corner 0 is the lowest in all coordinates; bit 0 of a number means high x, bit 1 high y, bit 2 high
+        // z.
         const FACETS: [[u32; 4]; 6] =
             [[0, 4, 6, 2], [1, 3, 7, 5], [0, 1, 5, 4], [2, 6, 7, 3], [0, 2, 3, 1], [4, 5, 7, 6]];
         let size = match size {
@@ -237,8 +238,8 @@ fn is_empty_list(mut value: Lexer<'_>) -> bool {
     value.next().is_some_and(|token| token.bytes == b"[") && value.is_next(b"]")
 }
 
-/// Reads a list of indices, in which -1 ends each cycle but perhaps the last. Cycles come with the lines of their
-/// first indices, and with the vertices of the mesh.
+/// Reads a list of indices, in which -1 ends each cycle but perhaps the last. Cycles come with the lines of
+/// their first indices, and with the vertices of the mesh.
 fn cycles(
     value: Option<Lexer<'_>>,
     vertices: Vertices,

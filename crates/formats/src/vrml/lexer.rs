@@ -47,8 +47,8 @@ impl<'a> Lexer<'a> {
         self.at
     }
 
-    /// The next token; `None` at the end of the text. Commas are blanks, `#` starts a comment. A string that is not
-    /// closed runs to the end.
+    /// The next token; `None` at the end of the text. Commas are blanks, `#` starts a comment. A string that
+    /// is not closed runs to the end.
     #[inline]
     pub(super) fn next(&mut self) -> Option<Token<'a>> {
         self.skip_blanks();
@@ -223,7 +223,8 @@ impl<'a> Lexer<'a> {
     }
 }
 
-/// The length of a string with its quotes; `None` if it is not closed. A backslash takes away the meaning of a quote.
+/// The length of a string with its quotes; `None` if it is not closed. A backslash takes away the meaning of
+/// a quote.
 pub(super) fn string_length(text: &[u8]) -> Option<usize> {
     let mut escaped = false;
     for (at, byte) in text.iter().enumerate().skip(1) {

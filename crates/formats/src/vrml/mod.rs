@@ -9,10 +9,11 @@
 //! | `geometry` | shapes to vertices and facets |
 //! | `write` | the way out |
 //!
-//! VRML has 32-bit floats. A decimal is read here as what is written all the same, and fractions `p/q` may stand where
-//! VRML has decimals. What is written has to please other readers too, so fractions are written into a node of their
-//! own, `ExactCoordinate`, which the file defines: its field `point` has the nearest floats, its field `exact` the
-//! coordinates, one string for each vertex. Others see the first, and we read the second.
+//! VRML has 32-bit floats. A decimal is read here as what is written all the same, and fractions `p/q` may
+//! stand where VRML has decimals. What is written has to please other readers too, so fractions are written
+//! into a node of their own, `ExactCoordinate`, which the file defines: its field `point` has the nearest
+//! floats, its field `exact` the coordinates, one string for each vertex. Others see the first, and we read
+//! the second.
 
 mod frame;
 mod geometry;

@@ -15,7 +15,8 @@ pub(super) struct Outline<'a> {
 const ENTRY: u64 = 128;
 
 impl<'a> Outline<'a> {
-    /// Checks brackets and strings, and notes the places of `DEF`. Names within a `PROTO` are its own, and stay there.
+    /// Checks brackets and strings, and notes the places of `DEF`. Names within a `PROTO` are its own, and
+    /// stay there.
     pub(super) fn of_text(mut lexer: Lexer<'a>, budget: &mut Budget) -> Result<Self, Located> {
         let mut nodes = BTreeMap::new();
         let mut open: Vec<(u8, u32)> = Vec::new();

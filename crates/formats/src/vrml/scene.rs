@@ -22,15 +22,15 @@ const USE: u64 = 64;
 
 /// Reads a VRML 2 file.
 ///
-/// - Each `Shape` gives an object, under the name (`DEF`) of the shape or of the nearest group around it that has one:
-///   the facets of an `IndexedFaceSet` or of a `Box`, the segments of an `IndexedLineSet`, or points of a `PointSet`.
-///   Round primitives and other geometry are refused.
-/// - `Coordinate` may have fractions; `ExactCoordinate` has them in its field `exact` (see the module), or as words in
-///   its field `point` where there is no other. Shapes that share coordinates by `USE` share the vertices of the
-///   first of them, where they stand in the same place.
-/// - `Group`, `Anchor`, `Billboard`, `Collision` and `Transform` are walked, of a `LOD` the finest level, of a `Switch`
-///   the choice. A `Transform` may not rotate. Nodes of types that the file defines (`PROTO`) are passed over if they
-///   have no shape in them, and refused otherwise, and so is `Inline`.
+/// - Each `Shape` gives an object, under the name (`DEF`) of the shape or of the nearest group around it that
+///   has one: the facets of an `IndexedFaceSet` or of a `Box`, the segments of an `IndexedLineSet`, or points
+///   of a `PointSet`. Round primitives and other geometry are refused.
+/// - `Coordinate` may have fractions; `ExactCoordinate` has them in its field `exact` (see the module), or as
+///   words in its field `point` where there is no other. Shapes that share coordinates by `USE` share the
+///   vertices of the first of them, where they stand in the same place.
+/// - `Group`, `Anchor`, `Billboard`, `Collision` and `Transform` are walked, of a `LOD` the finest level, of
+///   a `Switch` the choice. A `Transform` may not rotate. Nodes of types that the file defines (`PROTO`) are
+///   passed over if they have no shape in them, and refused otherwise, and so is `Inline`.
 /// - Facets are turned round where `ccw` is `FALSE`, and within transforms that reflect.
 pub(crate) fn read(bytes: &[u8], budget: &mut Budget) -> Result<ReadModel, Located> {
     let mut lexer = Lexer::new(bytes);

@@ -7,15 +7,15 @@ use exact::{Point3, Sign};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-/// The definition of the node with exact coordinates, for readers that do not know it: a `Coordinate` with a field
-/// more.
+/// The definition of the node with exact coordinates, for readers that do not know it: a `Coordinate` with a
+/// field more.
 const EXACT_COORDINATE: &str = "PROTO ExactCoordinate [ exposedField MFVec3f point [] field MFString exact [] ] {\n  \
                                 Coordinate { point IS point }\n}\n";
 
 /// Writes a mesh as VRML 2: a `Shape` for each object, all with the same coordinates.
 ///
-/// The coordinates are decimals in a `Coordinate`, or fractions in an `ExactCoordinate` if one of them is no decimal
-/// of few digits. An object keeps its name if that may be a name in VRML.
+/// The coordinates are decimals in a `Coordinate`, or fractions in an `ExactCoordinate` if one of them is no
+/// decimal of few digits. An object keeps its name if that may be a name in VRML.
 pub(crate) fn write(task: &Task<'_>) -> Result<Body, WriteError> {
     let mesh = task.mesh;
     let coordinates = coordinates(task)?;
