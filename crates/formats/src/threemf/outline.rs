@@ -102,14 +102,11 @@ fn check_extensions(xml: &Xml<'_>, required: &Value<'_>) -> Result<(), Located> 
             return Err(token.unexpected("the prefix of a namespace"));
         };
         if !HARMLESS.contains(&namespace.as_str()) {
-            let namespace = Token { bytes: namespace.as_bytes(), line: token.line };
-            let last = std::str::from_utf8(namespace.bytes).unwrap_or_default();
             // The end of a namespace tells more than its beginning.
-            let tail = last.rsplitn(3, '/').take(2).collect::<Vec<_>>();
-            let tail = tail.into_iter().rev().collect::<Vec<_>>().join("/");
-            let tail = Token { bytes: tail.as_bytes(), line: token.line };
+            let start = namespace.rmatch_indices('/').nth(2).map_or(0, |(at, _)| at + 1);
+            let end = Token { bytes: &namespace.as_bytes()[start..], line: token.line };
             return Err(token.fault(|prefix| Fault::Unsupported {
-                what: format!("the extension `{prefix}` ({}) of 3MF, which the model requires", tail.shown()),
+                what: format!("a model that requires the extension `{prefix}` ({}) of 3MF", end.shown()),
                 instead: "export it without extensions, as plain triangles".into(),
             }));
         }
@@ -170,7 +167,7 @@ impl<'t> Reader<'t, '_> {
                     .unexpected("a type (model, solidsupport, support, surface or other)"));
             }
         };
-        let name = name.or(part).map(|name| name.trimmed().to_string()).unwrap_or_default();
+        let name = name.or(part).map(|name| name.text().to_string()).unwrap_or_default();
         let bytes = 2 * size_of::<Object>() as u64 + TABLE_ENTRY + name.len() as u64;
         self.budget.charge(bytes).at_line(element.line)?;
         if self.numbers.insert(number, self.outline.objects.len()).is_some() {

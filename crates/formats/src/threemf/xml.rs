@@ -153,6 +153,13 @@ impl<'t> Xml<'t> {
         self.line
     }
 
+    /// The first word behind a position.
+    fn word_at(&mut self, at: usize) -> Token<'t> {
+        let rest = self.text[at..].trim_start();
+        let line = self.line_at(self.text.len() - rest.len());
+        Token { bytes: rest.split_whitespace().next().unwrap_or_default().as_bytes(), line }
+    }
+
     /// The first element, which must have this name.
     pub(super) fn root(&mut self, name: &str) -> Result<Element<'t>, Located> {
         loop {
@@ -162,9 +169,8 @@ impl<'t> Xml<'t> {
                 Some(Step::Text) if self.text[at..self.position()].trim().is_empty() => continue,
                 Some(Step::Other) => continue,
                 Some(Step::Text | Step::End) => {
-                    let line = self.line_at(at);
-                    let word = self.text[at..].split_whitespace().next().unwrap_or_default();
-                    return Err(Token { bytes: word.as_bytes(), line }.unexpected(&format!("<{name}>")));
+                    let word = self.word_at(at);
+                    return Err(word.unexpected(&format!("<{name}>")));
                 }
                 None => return Err(self.truncated(&format!("`<{name}>` was expected"))),
             };
@@ -214,10 +220,8 @@ impl<'t> Xml<'t> {
                 Some(Step::Other) => {}
                 Some(Step::Text) if self.text[at..self.position()].trim().is_empty() => {}
                 Some(_) => {
-                    let line = self.line_at(at);
-                    let word = self.text[at..].split_whitespace().next().unwrap_or_default();
-                    let token = Token { bytes: word.as_bytes(), line };
-                    return Err(token.fault(|token| Fault::AfterEnd { token, end: format!("the {end}") }));
+                    let word = self.word_at(at);
+                    return Err(word.fault(|token| Fault::AfterEnd { token, end: format!("the {end}") }));
                 }
             }
         }
@@ -288,7 +292,7 @@ impl<'t> Xml<'t> {
             Error::Syntax(_) | Error::IllFormed(IllFormedError::UnclosedReference)
                 if !self.text[at..].starts_with("<!") || self.text[at..].starts_with("<!--") =>
             {
-                self.truncated("what was begun before is not finished")
+                self.truncated("the end of a tag or a comment was expected")
             }
             Error::IllFormed(IllFormedError::MismatchedEndTag { expected, found }) => {
                 token(format!("</{found}>").as_bytes()).unexpected(&format!("</{}>", shown(expected)))
@@ -345,7 +349,7 @@ impl Element<'_> {
             let key = attribute.key.as_ref();
             let Some(index) = names.iter().position(|name| *name == key) else { continue };
             if values[index].is_some() {
-                let expected = format!("the attribute {key} only once");
+                let expected = format!("<{}> with one attribute {key}", shown(self.start.name().as_ref()));
                 return Err(self.unexpected(&expected));
             }
             values[index] = Some(Value { text: self.unescaped(attribute.value)?, line: self.line });
@@ -364,7 +368,7 @@ impl Element<'_> {
 
     /// An attribute is missing.
     pub(super) fn lacks(&self, name: &str) -> Located {
-        self.unexpected(&format!("the element with its attribute {name}"))
+        self.unexpected(&format!("<{}> with the attribute {name}", shown(self.start.name().as_ref())))
     }
 
     /// References in a value are replaced; only those that XML knows by itself.
@@ -383,8 +387,8 @@ impl Element<'_> {
     }
 
     fn bad_attributes(&self) -> Located {
-        let token = Token { bytes: self.start.attributes_raw().trim().as_bytes(), line: self.line };
-        token.unexpected("attributes as name=\"value\"")
+        let name = shown(self.start.name().as_ref());
+        self.unexpected(&format!("<{name}> with attributes written as name=\"value\""))
     }
 
     /// Something else was expected than this element.
@@ -395,6 +399,11 @@ impl Element<'_> {
 }
 
 impl Value<'_> {
+    /// The value as it is, references replaced.
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
     /// The value without blanks around it.
     pub(super) fn trimmed(&self) -> &str {
         self.text.trim_matches(is_blank)
