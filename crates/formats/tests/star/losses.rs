@@ -112,3 +112,57 @@ fn objects_move_with_their_facets() {
     assert_eq!(notes, [WriteNote::LeftOut(Loss::Sheets(1)), WriteNote::NoObjects(2)]);
     assert!(off.starts_with("OFF\n12 10 18\n"), "{off}");
 }
+
+/// A cube with a square tunnel, whose openings are holes.
+fn tunnel() -> String {
+    let mut text = CUBE.replace("facet 3 2 1 0\n", "").replace("facet 4 5 6 7\n", "");
+    for (id, z) in [(8, 0), (12, 1)] {
+        for (at, [x, y]) in [[1, 1], [3, 1], [3, 3], [1, 3]].into_iter().enumerate() {
+            let line = format!("vertex {} {x}/4 {y}/4 {z}\n", id + at);
+            text.insert_str(text.find("facet").unwrap(), &line);
+        }
+    }
+    text += "facet 3 2 1 0 hole 8 9 10 11\nfacet 7 6 5 4 hole 12 13 14 15 sides 1 0\n";
+    text + "facet 8 12 13 9\nfacet 9 13 14 10\nfacet 10 14 15 11\nfacet 11 15 12 8\n"
+}
+
+#[test]
+fn facets_with_holes_are_cut() {
+    let text = records(&tunnel());
+    let expected = WriteError::Loses { format: Format::Off, losses: vec![Loss::Holes(2)] };
+    assert_eq!(off(&text, false), Err(expected));
+    let (off, notes) = off(&text, true).unwrap();
+    assert_eq!(notes, [WriteNote::CutHoles { from: 2, to: 16 }]);
+    assert_eq!(notes[0].to_string(), "the format has no holes: 2 facets with holes cut into 16 triangles");
+    let mesh = read(&off).model.shape.mesh().unwrap().clone();
+    assert_eq!((mesh.points.len(), mesh.facets.len()), (16, 8 + 16));
+    // Closed and oriented: each side of a facet is one of another, the other way.
+    let mut sides: Vec<[u32; 2]> = Vec::new();
+    for cycle in mesh.facets.iter() {
+        sides.extend((0..cycle.len()).map(|at| [cycle[at], cycle[(at + 1) % cycle.len()]]));
+    }
+    let count = sides.len();
+    sides.sort_unstable();
+    sides.dedup();
+    assert_eq!(sides.len(), count);
+    assert!(sides.iter().all(|&[a, b]| sides.binary_search(&[b, a]).is_ok()));
+}
+
+#[test]
+fn holes_without_an_area_disappear() {
+    let text = records(&CUBE.replace("facet 3 2 1 0", "vertex 8 1/2 1/2 0 unmarked\nfacet 3 2 1 0 hole 8"));
+    let (off, notes) = off(&text, true).unwrap();
+    assert_eq!(notes, [WriteNote::LeftOut(Loss::Holes(1)), WriteNote::LeftOut(Loss::Marks(1))]);
+    assert_eq!(notes[0].to_string(), "left out: the holes of 1 facet");
+    assert_eq!(off, crate::losses::off(&records(CUBE), false).unwrap().0);
+}
+
+#[test]
+fn a_facet_that_cannot_be_cut_is_named() {
+    let text = records(&tunnel()).replace("vertex 8 1/4 1/4 0", "vertex 8 1/4 1/4 1/9");
+    let error = off(&text, true).unwrap_err();
+    assert!(matches!(error, WriteError::CutHoles { facet: 4, .. }), "{error}");
+    let message = error.to_string();
+    assert!(message.starts_with("the format has no holes, and facet 4 cannot be cut: "), "{message}");
+    assert!(message.contains("vertex 8"), "{message}");
+}

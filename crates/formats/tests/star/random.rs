@@ -112,7 +112,7 @@ fn random_complexes_come_back() {
             }
         }
     }
-    assert!(same > 2_000 && meshes > 20 && lines > 100, "{same} {meshes} {lines}");
+    assert!(same > 1_500 && meshes > 50 && lines > 40, "{same} {meshes} {lines}");
 }
 
 const SPLICES: &[&str] = &[
@@ -156,17 +156,23 @@ const SPLICES: &[&str] = &[
     "end",
     "star",
     "complex",
+];
+
+const RECORDS: &[&str] = &[
     "vertex 90 1/3 2 3\n",
     "direction 91 -1 0 0\n",
     "volume 7 unmarked\n",
     "object \"x\"\n",
     "edge 0 1\n",
     "facet 0 1 2\n",
+    "facet 0 1 2 hole 2 3 sides 7 1\n",
+    "edge 1 2 unmarked\n",
+    "# comment\n",
 ];
 
 fn mutate(text: &mut Vec<u8>, random: &mut Random) {
     let at = random.below(text.len() + 1);
-    match random.below(6) {
+    match random.below(7) {
         0 if at < text.len() => text[at] ^= 1 << random.below(8),
         1 if at < text.len() => text[at] = random.next() as u8,
         2 => {
@@ -180,6 +186,22 @@ fn mutate(text: &mut Vec<u8>, random: &mut Random) {
                 let line = lines[random.below(lines.len())].clone();
                 let before: usize = lines.iter().take(random.below(lines.len())).map(Vec::len).sum();
                 text.splice(before..before, line);
+            }
+        }
+        4 => {
+            // A number is another.
+            let digits: Vec<usize> = (0..text.len()).filter(|&at| text[at].is_ascii_digit()).collect();
+            if !digits.is_empty() {
+                text[digits[random.below(digits.len())]] = b'0' + random.below(10) as u8;
+            }
+        }
+        5 => {
+            // A record more.
+            let starts: Vec<usize> = (1..text.len()).filter(|&at| text[at - 1] == b'\n').collect();
+            if !starts.is_empty() {
+                let start = starts[random.below(starts.len())];
+                let record = RECORDS[random.below(RECORDS.len())].as_bytes();
+                text.splice(start..start, record.iter().copied());
             }
         }
         _ => {
@@ -220,7 +242,7 @@ fn changed_files_are_read_or_refused() {
             let _ = splitstar_formats::write(&read.model, &options);
         }
     }
-    assert!(accepted > 3_000, "{accepted}");
+    assert!(accepted > 2_000, "{accepted}");
 }
 
 #[test]

@@ -8,9 +8,8 @@ use splitstar_formats::{
 };
 
 fn mesh(points: usize, facets: &[&[u32]]) -> PolygonMesh {
-    let mut mesh = PolygonMesh::default();
-    mesh.points = (0..points as i64).map(|i| Point3::from_i64([i, i * i, i * i * i])).collect();
-    mesh.facets = Facets::new();
+    let points = (0..points as i64).map(|i| Point3::from_i64([i, i * i, i * i * i])).collect();
+    let mut mesh = PolygonMesh { points, facets: Facets::new() };
     facets.iter().for_each(|cycle| mesh.facets.push(cycle));
     mesh
 }
@@ -81,7 +80,8 @@ fn a_complex_against_the_rules_is_not_written() {
     let triangle = || Facet::of_cycle(vec![0, 1, 2], [0, 1]);
     let mut base = Complex::default();
     base.vertices = (0..3).map(|i| Vertex::point(Point3::from_i64([i, i * i, 0]))).collect();
-    let rows: [(fn(&mut Complex, Facet), Cell, Rule, &str); 3] = [
+    type Row = (fn(&mut Complex, Facet), Cell, Rule, &'static str);
+    let rows: [Row; 3] = [
         (
             |complex, facet| complex.facets.extend([facet, Facet::of_cycle(vec![0, 1, 3], [0, 1])]),
             Cell::Facet(1),
