@@ -6,7 +6,7 @@ use crate::complex::{Loss, Malformed};
 use crate::format::{Encoding, Format};
 use crate::{gltf, gzip, obj, off, ply, star, stl, threemf, vrml};
 use exact::Rational;
-use polytope::{PolygonMesh, TriangulateError};
+use polytope::{HoleError, PolygonMesh, TriangulateError};
 use std::borrow::Cow;
 use std::fmt;
 
@@ -95,6 +95,13 @@ pub enum WriteError {
     NothingLeft,
     /// A cell is against the rules of a complex.
     Malformed(Malformed),
+    /// A facet with holes cannot be cut into triangles.
+    CutHoles {
+        /// The index of the facet.
+        facet: usize,
+        /// Why.
+        error: HoleError,
+    },
     /// A facet cannot be cut into triangles, and the format has nothing else.
     Triangulate(TriangulateError),
     /// A count has no room in the format.
@@ -283,6 +290,9 @@ impl fmt::Display for WriteError {
                 f.write_str("the set has no inner points, so that no mesh is left of it; write star")
             }
             Self::Malformed(malformed) => write!(f, "{malformed}"),
+            Self::CutHoles { facet, error } => {
+                write!(f, "the format has no holes, and facet {facet} cannot be cut: {error}; write star")
+            }
             Self::Triangulate(error) => {
                 write!(f, "the format has triangles only, and {error}; write OFF, OBJ, PLY or star")
             }

@@ -9,7 +9,7 @@ use std::fmt;
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum Loss {
-    /// Facets with holes.
+    /// The holes of so many facets.
     Holes(usize),
     /// Marks that are not those of a closed set: of vertices, edges, facets and the volumes 0 and 1.
     Marks(usize),
@@ -39,7 +39,6 @@ impl Loss {
 impl fmt::Display for Loss {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let (count, what) = match self {
-            Self::Holes(n) => (n, ["facet with holes", "facets with holes"]),
             Self::Marks(n) => (n, ["mark of its own", "marks of their own"]),
             Self::Points(n) => (n, ["isolated vertex", "isolated vertices"]),
             Self::Edges(n) => (n, ["edge of its own", "edges of their own"]),
@@ -47,6 +46,9 @@ impl fmt::Display for Loss {
             Self::Walls(n) => (n, ["facet within the set", "facets within the set"]),
             Self::Unbounded(n) => (n, ["unbounded cell", "unbounded cells"]),
             Self::Volumes(n) => (n, ["volume beside 0 and 1", "volumes beside 0 and 1"]),
+            Self::Holes(n) => {
+                return write!(f, "the holes of {n} {}", if *n == 1 { "facet" } else { "facets" });
+            }
             Self::EmptySet => return f.write_str("the empty set"),
         };
         write!(f, "{count} {}", if *count == 1 { what[0] } else { what[1] })

@@ -1,11 +1,11 @@
 //! The regular part of a complex as a mesh: the closure of the interior of the set.
 
-use super::{Complex, Facet, Loss, Position};
+use super::{Complex, Facet, Loss, Position, Vertex};
 use crate::base::model::Object;
 use crate::format::Format;
 use crate::write::{WriteError, WriteNote};
 use exact::Point3;
-use polytope::{Facets, PolygonMesh, TriangulateError};
+use polytope::{Facets, PolygonMesh, triangulate_with_holes};
 
 impl Complex {
     /// The closure of the interior of the set, as a mesh; `None` if it is unbounded or empty, or if facets with holes
@@ -43,21 +43,24 @@ impl Complex {
         if self.is_marked(0) || self.facets.iter().any(|facet| is_boundary(facet) && is_unbounded(facet)) {
             return Err(WriteError::Unbounded);
         }
-        let mut part = Part::new(self);
+        let mut part = Part::of(self);
         let mut starts = Vec::with_capacity(self.facets.len() + 1);
-        for facet in &self.facets {
+        for (index, facet) in self.facets.iter().enumerate() {
             starts.push(part.facets.len() as u32);
             if is_boundary(facet) {
-                part.push(facet)?;
+                part.push(index, facet)?;
             }
         }
         let end = part.facets.len() as u32;
         if end == 0 {
             return Err(WriteError::NothingLeft);
         }
-        notes.extend(
-            losses.iter().filter(|loss| !matches!(loss, Loss::Holes(_))).copied().map(WriteNote::LeftOut),
-        );
+        // Facets with holes are cut, not left out; but a hole without area is.
+        let left_out = |loss: Loss| match loss {
+            Loss::Holes(_) => (part.closed > 0).then_some(Loss::Holes(part.closed)),
+            other => Some(other),
+        };
+        notes.extend(losses.into_iter().filter_map(left_out).map(WriteNote::LeftOut));
         if part.cut.0 > 0 {
             notes.push(WriteNote::CutHoles { from: part.cut.0, to: part.cut.1 });
         }
@@ -66,87 +69,70 @@ impl Complex {
             Object { name: object.name.clone(), first_facet }
         };
         let objects = objects.iter().map(moved).collect();
-        Ok((PolygonMesh { points: part.points, facets: part.facets }, objects))
+        Ok((part.into_mesh(), objects))
     }
 }
 
-/// The facets of the regular part, and the vertices that they have.
+/// The facets of the regular part. Its vertices are those of the complex until the end, so that errors name these.
 struct Part<'a> {
     complex: &'a Complex,
-    /// For each vertex of the complex its index here.
-    new: Vec<Option<u32>>,
+    /// The points; those of directions mean nothing.
     points: Vec<Point3>,
     facets: Facets,
     /// The numbers of facets with holes that were cut, and of their triangles.
     cut: (usize, usize),
+    /// The number of facets that lost a hole of one or two vertices.
+    closed: usize,
 }
 
 impl<'a> Part<'a> {
-    fn new(complex: &'a Complex) -> Self {
-        let mut part = Self {
-            complex,
-            new: vec![None; complex.vertices.len()],
-            points: Vec::new(),
-            facets: Facets::new(),
-            cut: (0, 0),
+    fn of(complex: &'a Complex) -> Self {
+        let point = |vertex: &Vertex| match &vertex.position {
+            Position::Point(point) => point.clone(),
+            Position::Direction(_) => Point3::ORIGIN,
         };
-        let is_boundary =
-            |facet: &&Facet| complex.is_marked(facet.sides[0]) != complex.is_marked(facet.sides[1]);
-        let mut used = vec![false; complex.vertices.len()];
-        for facet in complex.facets.iter().filter(is_boundary) {
-            // A hole of one or two vertices has no area, and disappears.
-            let cycles = facet.cycles().filter(|cycle| cycle.len() > 2);
-            cycles.flatten().for_each(|&vertex| used[vertex as usize] = true);
-        }
-        for (vertex, used) in complex
-            .vertices
-            .iter()
-            .zip(&mut part.new)
-            .zip(used)
-            .filter(|(_, used)| *used)
-            .map(|(pair, _)| pair)
-        {
-            let Position::Point(point) = &vertex.position else { continue };
-            *used = Some(part.points.len() as u32);
-            part.points.push(point.clone());
-        }
-        part
+        let points = complex.vertices.iter().map(point).collect();
+        Self { complex, points, facets: Facets::new(), cut: (0, 0), closed: 0 }
     }
 
     /// Appends a facet, the side that does not belong to the set in front.
-    fn push(&mut self, facet: &Facet) -> Result<(), WriteError> {
+    fn push(&mut self, index: usize, facet: &Facet) -> Result<(), WriteError> {
         let turn = self.complex.is_marked(facet.sides[0]);
-        let renumbered = |cycle: &[u32]| {
-            let index = |&vertex: &u32| self.new[vertex as usize].expect("a bounded facet has points only");
-            let mut cycle: Vec<u32> = cycle.iter().map(index).collect();
+        // A hole of one or two vertices has no area, and disappears.
+        let holes: Vec<&[u32]> =
+            facet.holes.iter().filter(|hole| hole.len() > 2).map(Vec::as_slice).collect();
+        self.closed += usize::from(holes.len() < facet.holes.len());
+        let mut push = |cycle: &mut [u32]| {
             if turn {
                 cycle.reverse();
             }
-            cycle
+            self.facets.push(cycle);
         };
-        let outer = renumbered(&facet.outer);
-        let holes: Vec<Vec<u32>> =
-            facet.holes.iter().filter(|hole| hole.len() > 2).map(|hole| renumbered(hole)).collect();
         if holes.is_empty() {
-            self.facets.push(&outer);
+            push(&mut facet.outer.clone());
             return Ok(());
         }
-        let holes: Vec<&[u32]> = holes.iter().map(Vec::as_slice).collect();
-        let name = self.complex.facets.iter().position(|other| std::ptr::eq(other, facet)).unwrap_or(0);
-        let triangles = triangulate_with_holes(&self.points, &outer, &holes)
-            .map_err(|_| WriteError::Triangulate(TriangulateError::Tangled { facet: name }))?;
-        triangles.iter().for_each(|triangle| self.facets.push(triangle));
+        let triangles = triangulate_with_holes(&self.points, &facet.outer, &holes)
+            .map_err(|error| WriteError::CutHoles { facet: index, error })?;
         self.cut.0 += 1;
         self.cut.1 += triangles.len();
+        for mut triangle in triangles {
+            push(&mut triangle);
+        }
         Ok(())
     }
-}
 
-/// Stands for the function of `polytope`, which is not there yet.
-fn triangulate_with_holes(
-    _points: &[Point3],
-    _outer: &[u32],
-    _holes: &[&[u32]],
-) -> Result<Vec<[u32; 3]>, ()> {
-    Err(())
+    /// Leaves out the vertices that no facet has.
+    fn into_mesh(self) -> PolygonMesh {
+        let Self { points, mut facets, .. } = self;
+        let mut new: Vec<u32> = vec![0; points.len()];
+        facets.corners().iter().for_each(|&corner| new[corner as usize] = 1);
+        let mut kept = Vec::new();
+        for (point, new) in points.into_iter().zip(&mut new).filter(|(_, used)| **used == 1) {
+            *new = kept.len() as u32;
+            kept.push(point);
+        }
+        facets.relabel(&new);
+        PolygonMesh { points: kept, facets }
+    }
 }
