@@ -7,13 +7,19 @@ use crate::complex::{Complex, Position};
 use crate::write::{Body, Task, WriteError, WriteOptions, too_large};
 use exact::Point3;
 
-/// Writes a complex: unit, vertices, volumes, facets with their objects, edges. What the defaults say is left out.
+/// Writes a complex: unit, vertices, volumes, facets with their objects, edges. What the defaults say is left out, and
+/// what is a mesh is written as one.
 pub(crate) fn write_complex(
     complex: &Complex,
     model: &Model,
     options: &WriteOptions,
 ) -> Result<Body, WriteError> {
     complex.check().map_err(WriteError::Malformed)?;
+    // What reads back as a mesh is written as one, so that it has one text.
+    if let Ok(mesh) = complex.as_mesh() {
+        let (objects, unit) = (&model.objects, model.unit);
+        return write_mesh(&Task { mesh: &mesh, objects, unit, float: options.float });
+    }
     let mut text = Text::new(model.unit, if options.float { Numerals::Floats } else { Numerals::Fractions });
     for (id, vertex) in complex.vertices.iter().enumerate() {
         match &vertex.position {
