@@ -48,4 +48,4 @@ pub use complex::{
 };
 pub use format::{Encoding, Format};
 pub use read::{check_start, read};
-pub use write::{WriteError, WriteNote, WriteOptions, Written, write};
+pub use write::{WriteError, WriteNote, WriteOptions, Written, objects_of_triangles, write};

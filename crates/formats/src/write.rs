@@ -206,7 +206,7 @@ fn write_mesh(
     if !can.polygons && polygons && mesh.facets.iter().any(|cycle| cycle.len() > 3) {
         let triangles = mesh.triangulated().map_err(WriteError::Triangulate)?;
         notes.push(WriteNote::Triangulated { from: mesh.facets.len(), to: triangles.facets.len() });
-        objects = Cow::Owned(of_triangles(named, &mesh));
+        objects_of_triangles(objects.to_mut(), &mesh);
         mesh = Cow::Owned(triangles);
     }
     if !can.objects && named.len() > 1 {
@@ -229,8 +229,8 @@ fn write_mesh(
     }
 }
 
-/// The objects of the triangles of a mesh: each facet of k corners has become k - 2 of them.
-fn of_triangles(objects: &[Object], mesh: &PolygonMesh) -> Vec<Object> {
+/// Moves objects to the triangles that [`PolygonMesh::triangulated`] makes of the facets of a mesh: k - 2 of k corners.
+pub fn objects_of_triangles(objects: &mut [Object], mesh: &PolygonMesh) {
     let mut starts = Vec::with_capacity(mesh.facets.len() + 1);
     let mut start = 0;
     for cycle in mesh.facets.iter() {
@@ -238,11 +238,9 @@ fn of_triangles(objects: &[Object], mesh: &PolygonMesh) -> Vec<Object> {
         start += cycle.len().max(3) as u32 - 2;
     }
     starts.push(start);
-    let moved = |object: &Object| Object {
-        name: object.name.clone(),
-        first_facet: starts[object.first_facet as usize],
-    };
-    objects.iter().map(moved).collect()
+    for object in objects {
+        object.first_facet = starts.get(object.first_facet as usize).copied().unwrap_or(start);
+    }
 }
 
 impl fmt::Display for WriteNote {

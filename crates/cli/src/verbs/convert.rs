@@ -3,11 +3,12 @@
 use super::{Job, Outcome};
 use crate::args::{Motion, Rotation, Run};
 use crate::console::Console;
+use crate::explain::{mesh_error, triangles_error};
 use crate::failure::Failure;
 use crate::input::Operand;
 use splitstar::exact::{Affine3, Quaternion, Rational};
-use splitstar::formats::{Complex, Model, Object, Shape, Unit};
-use splitstar::polytope::{PolygonMesh, TriangulateError};
+use splitstar::formats::{self, Complex, Facet, Model, Object, Shape, Unit, Vertex};
+use splitstar::polytope::{Mended, Mending, PolygonMesh, TriangulateError};
 
 pub(crate) fn convert(run: &Run) -> Result<(), Failure> {
     let quaternion = run.motion.rotation.as_ref().map(quaternion).transpose()?;
@@ -31,17 +32,50 @@ pub(crate) fn convert(run: &Run) -> Result<(), Failure> {
     job.finish(&Outcome { model, polytope: None, method: "convert", quaternion })
 }
 
+/// A mesh mended, and cut into triangles or joined where that is wanted. Objects move with their facets.
 fn mesh_shape(
-    mesh: PolygonMesh,
-    _objects: &mut Vec<Object>,
+    filed: PolygonMesh,
+    objects: &mut [Object],
     operand: &Operand,
     run: &Run,
-    _console: &Console,
+    console: &Console,
 ) -> Result<Shape, Failure> {
-    if run.triangulate {
-        return triangulated(&mesh, operand).map(Shape::Mesh);
+    let mut notes = Vec::new();
+    let what = Mending { join: run.join };
+    // Triangles come first: they are the way out for facets that are not planar.
+    let mended = if run.triangulate {
+        let triangles = triangulated(&filed, operand)?;
+        formats::objects_of_triangles(objects, &filed);
+        triangles.mended(what, &mut notes).map_err(|error| triangles_error(&error, operand, &filed))
+    } else {
+        filed.mended(what, &mut notes).map_err(|error| mesh_error(&error, operand))
+    };
+    let mended = mended.map_err(|(place, what)| {
+        operand.failure(place, format!("{what}; --triangulate cuts it into triangles"))
+    })?;
+    for note in notes {
+        console.note(&operand.name, None, &note.to_string());
     }
-    Ok(Shape::Mesh(mesh))
+    for object in objects {
+        let is_before = |&origin: &u32| origin < object.first_facet;
+        object.first_facet = mended.facet_origin.partition_point(is_before) as u32;
+    }
+    Ok(shape_of(mended))
+}
+
+/// Facets with holes make a complex of cells.
+fn shape_of(mended: Mended) -> Shape {
+    if mended.holes.is_empty() {
+        return Shape::Mesh(mended.mesh);
+    }
+    let mut complex = Complex::default();
+    for (f, cycle) in mended.mesh.facets.iter().enumerate() {
+        let mut facet = Facet::of_cycle(cycle.to_vec(), [0, 1]);
+        facet.holes = mended.holes_of(f).iter().map(|hole| hole.cycle.clone()).collect();
+        complex.facets.push(facet);
+    }
+    complex.vertices = mended.mesh.points.into_iter().map(Vertex::point).collect();
+    Shape::Complex(complex)
 }
 
 /// A mesh cut into triangles; a failure names the facet.
