@@ -22,9 +22,9 @@ const STEP: usize = 1 << 16;
 pub(crate) fn unpack(bytes: &[u8], budget: &mut Budget) -> Result<Vec<u8>, Located> {
     let mut unpacked = Unpacked::within(budget);
     let mut rest = bytes;
-    while !rest.is_empty() && !(rest.len() < bytes.len() && rest.iter().all(|&byte| byte == 0)) {
+    while rest.len() == bytes.len() || rest.iter().any(|&byte| byte != 0) {
         let start = (bytes.len() - rest.len()) as u64;
-        if rest.len() < bytes.len() && !rest.starts_with(MAGIC) {
+        if start > 0 && !rest.starts_with(MAGIC) {
             let why = "something that is not gzip follows the end".into();
             return Err(Fault::Packed { why }).at_byte(start);
         }

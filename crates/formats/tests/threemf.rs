@@ -85,7 +85,8 @@ fn the_model_is_found_in_the_archive() {
              <Relationship Target='{target}' Id='a' Type='{TYPE}'/></Relationships>"
         )
     };
-    let rows: [(&str, Vec<(&str, String)>, &str); 6] = [
+    type Row<'a> = (&'a str, Vec<(&'a str, String)>, &'a str);
+    let rows: [Row<'_>; 6] = [
         ("no relationships", vec![("3D/3dmodel.model", text.clone())], "3D/3dmodel.model"),
         ("another case", vec![("3d/3DModel.Model", text.clone())], "3d/3DModel.Model"),
         ("absolute", vec![("_rels/.rels", relation("/a/b.model")), ("a/b.model", text.clone())], "a/b.model"),

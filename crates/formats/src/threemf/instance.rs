@@ -1,8 +1,9 @@
 //! The meshes of all that is built, each as often as it is used.
 
+use super::element::Element;
 use super::outline::{Content, MeshPlace, Outline, Reference};
 use super::transform::{self, Map};
-use super::xml::{Element, Xml};
+use super::xml::Xml;
 use crate::base::budget::Budget;
 use crate::base::error::{At, Fault, Located};
 use crate::base::maker::MeshMaker;
@@ -15,7 +16,7 @@ use crate::format::Format;
 use std::ops::Range;
 
 /// For each use of an object: far more than it takes, so that few uses have a chance to take long.
-const USE: u64 = 512;
+const USE: u64 = 1024;
 /// For each byte of a mesh that is read once more, in fourths: what it takes is time.
 const AGAIN: u64 = 4;
 
@@ -90,7 +91,7 @@ impl Builder<'_, '_> {
     /// Reads the mesh of an object, or opens its components.
     fn put(&mut self, object: usize, map: Map, line: u32) -> Result<(), Located> {
         let outline = self.outline;
-        let bytes = USE + map.as_ref().map_or(0, |map| map.bytes());
+        let bytes = USE + map.as_ref().map_or(0, |map| map.bytes_of_use());
         self.maker.budget().charge(bytes).at_line(line)?;
         let used = &outline.objects[object];
         if used.is_support {

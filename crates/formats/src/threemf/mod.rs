@@ -3,7 +3,7 @@
 //! | layer | files | role |
 //! |---|---|---|
 //! | archive | `package` | the files within the archive, and which of them is the model |
-//! | text | `xml` | elements and attributes with their lines, read one after the other |
+//! | text | `xml`, `element` | elements and attributes with their lines, read one after the other |
 //! | model | `outline`, `transform` | which objects there are, and how they are put together |
 //! | mesh | `instance` | the vertices and facets of all that is built |
 //! | way back | `write` | the archive of a mesh |
@@ -15,6 +15,7 @@
 //! The text of a mesh is read once for the outline and once for each of its instances, so that a large file takes no
 //! memory beside its text and its mesh.
 
+mod element;
 mod instance;
 mod outline;
 mod package;

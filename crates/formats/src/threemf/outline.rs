@@ -1,8 +1,9 @@
 //! What a model is made of: where its meshes stand, and how they are put together.
 
 use super::CORE;
+use super::element::{Element, Value};
 use super::transform::{self, Map};
-use super::xml::{Element, Value, Xml};
+use super::xml::Xml;
 use crate::base::budget::Budget;
 use crate::base::error::{At, Fault, Located};
 use crate::base::model::Unit;

@@ -1,9 +1,9 @@
 //! The archive: which files it has, and which of them is the model.
 
+use super::element::shown;
 use super::xml::{self, Xml};
 use crate::base::budget::Budget;
 use crate::base::error::{Fault, Located, ReadError};
-use crate::base::scan::Token;
 use crate::format::Format;
 use crate::gzip::Unpacked;
 use std::io::Cursor;
@@ -127,8 +127,4 @@ fn archive_fault(error: &ZipError) -> Fault {
 
 fn in_part(part: &str, error: Located) -> ReadError {
     ReadError { part: Some(part.into()), ..error.of_format(Format::ThreeMf) }
-}
-
-fn shown(name: &str) -> String {
-    Token { bytes: name.as_bytes(), line: 0 }.shown()
 }

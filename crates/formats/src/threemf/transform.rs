@@ -1,6 +1,6 @@
 //! Transforms of objects: exact, and composed on the way down.
 
-use super::xml::{Element, Value};
+use super::element::{Element, Value};
 use crate::base::error::{Fault, Located};
 use crate::base::places::Place;
 use crate::base::scan::Token;
@@ -90,9 +90,14 @@ impl Transform {
         self.mirrors
     }
 
-    /// What to charge for it, or for composing it.
+    /// What it takes.
     pub(super) fn bytes(&self) -> u64 {
-        2 * size_of::<Self>() as u64 + self.bits
+        size_of::<Self>() as u64 + self.bits
+    }
+
+    /// What to charge for each use of an object by it, which may compose it: with long numbers that takes long.
+    pub(super) fn bytes_of_use(&self) -> u64 {
+        if self.bits > LONG { 4 * self.bits } else { 0 }
     }
 
     /// What to charge for each vertex, beside the vertex: with long numbers even a short result takes long.
