@@ -94,6 +94,11 @@ impl Format {
         }
     }
 
+    /// The index that files of this format give the first vertex.
+    pub fn first_index(self) -> u32 {
+        u32::from(self == Self::Obj)
+    }
+
     pub(crate) fn abilities(self) -> Abilities {
         let mesh = Abilities { polygons: true, points: true, objects: false, unit: false };
         match self {
@@ -143,7 +148,7 @@ impl Format {
     }
 }
 
-/// What the first bytes of a file tell.
+/// What the first bytes of a file tell of it.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Content {
     Known(Format),
@@ -179,10 +184,10 @@ pub struct Encoding {
 }
 
 impl Encoding {
-    /// The encoding that the ending of a file's name asks for, as `.off` or `.stl.gz`.
+    /// The encoding that the ending of a file's name asks for, as `cube.off` or `cube.stl.gz`; an ending alone will do.
     pub fn from_file_name(name: &str) -> Option<Self> {
         let (stem, gzip) = without_gz(name);
-        let (_, extension) = stem.rsplit_once('.')?;
+        let extension = stem.rsplit_once('.').map_or(stem, |(_, extension)| extension);
         Some(Self { format: Format::from_extension(extension)?, gzip })
     }
 

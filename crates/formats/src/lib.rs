@@ -41,11 +41,11 @@ mod vrml;
 mod write;
 
 pub use base::error::{Count, Fault, NumberFault, ReadError};
-pub use base::model::{Kind, Model, Object, ReadModel, Shape, Unit};
+pub use base::model::{Kind, Model, Object, ReadModel, ReadNote, Shape, Unit};
 pub use base::places::{Place, PlaceList, Places};
 pub use complex::{
     Cell, Complex, ComplexSummary, Edge, Facet, Loss, Malformed, Position, Rule, UnmarkedCells, Vertex,
 };
 pub use format::{Encoding, Format};
-pub use read::read;
+pub use read::{check_start, read};
 pub use write::{WriteError, WriteNote, WriteOptions, Written, write};

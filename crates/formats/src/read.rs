@@ -3,13 +3,14 @@
 use crate::base::budget::Budget;
 use crate::base::error::{Fault, Located, ReadError};
 use crate::base::model::ReadModel;
-use crate::format::{Content, Format};
+use crate::base::places::Place;
+use crate::base::scan::Scanner;
+use crate::format::{Content, Encoding, Format};
 use crate::{gzip, obj, off, ply, star, stl, threemf, vrml};
 
 /// Reads a file of any format.
 ///
-/// The format is found by the content; where that can be of any, by the ending of the file's name (without the
-/// point, `off` or `stl.gz`). Nothing is rounded: a decimal is the rational number that is written, a binary float
+/// The format is found by the content; where that can be of any, by the ending of the file's name. Nothing is rounded: a decimal is the rational number that is written, a binary float
 /// is the dyadic rational that it is.
 ///
 /// What a facet may be is checked (three vertices or more, all different, each one of the file), but not what the
@@ -34,10 +35,11 @@ use crate::{gzip, obj, off, ply, star, stl, threemf, vrml};
 /// assert_eq!(mesh.facets.get(0), [0, 1, 2]);
 /// # Ok::<(), splitstar_formats::ReadError>(())
 /// ```
-pub fn read(bytes: &[u8], extension: Option<&str>) -> Result<ReadModel, ReadError> {
+pub fn read(bytes: &[u8], file_name: Option<&str>) -> Result<ReadModel, ReadError> {
+    let by_name = file_name.and_then(Encoding::from_file_name).map(|encoding| encoding.format);
     let mut budget = Budget::of_file(bytes.len());
     if Format::of_content(bytes, bytes.len()) != Content::Gzip {
-        return read_unpacked(bytes, extension, &mut budget);
+        return read_unpacked(bytes, by_name, &mut budget);
     }
     let unpacked = gzip::unpack(bytes, &mut budget).map_err(|Located { place, fault }| ReadError {
         format: None,
@@ -45,18 +47,13 @@ pub fn read(bytes: &[u8], extension: Option<&str>) -> Result<ReadModel, ReadErro
         place,
         fault,
     })?;
-    let extension = extension.map(|text| {
-        let packed = text.len() >= 2 && text.is_char_boundary(text.len() - 2);
-        let (stem, ending) = text.split_at(if packed { text.len() - 2 } else { text.len() });
-        if ending.eq_ignore_ascii_case("gz") { stem.trim_end_matches('.') } else { text }
-    });
-    read_unpacked(&unpacked, extension, &mut budget)
+    read_unpacked(&unpacked, by_name, &mut budget)
 }
 
-fn read_unpacked(bytes: &[u8], extension: Option<&str>, budget: &mut Budget) -> Result<ReadModel, ReadError> {
+fn read_unpacked(bytes: &[u8], by_name: Option<Format>, budget: &mut Budget) -> Result<ReadModel, ReadError> {
     let whole_file = |fault| ReadError { format: None, part: None, place: None, fault };
     let content = Format::of_content(bytes, bytes.len());
-    let format = match (content, extension.and_then(Format::from_extension)) {
+    let format = match (content, by_name) {
         (Content::Known(format), _) => format,
         (Content::Gzip, _) => {
             return Err(whole_file(Fault::Unsupported {
@@ -85,9 +82,19 @@ fn read_unpacked(bytes: &[u8], extension: Option<&str>, budget: &mut Budget) -> 
     result.map_err(|error| error.of_format(format))
 }
 
+/// Whether a file may be of some format, as far as its first bytes tell: 64 KiB of them, or all of a shorter file.
+/// A program that reads a stream asks before it reads on: a stream may have no end.
+///
+/// # Errors
+/// As [`read`] for a file that begins like this, if it is of no format.
+pub fn check_start(start: &[u8], file_name: Option<&str>) -> Result<(), ReadError> {
+    let content = Format::of_content(start, start.len());
+    let known = matches!(content, Content::Known(_) | Content::Gzip)
+        || (content == Content::Unknown && file_name.and_then(Encoding::from_file_name).is_some());
+    if known || stl::may_be_binary(start) { Ok(()) } else { Err(unknown(start, content)) }
+}
+
 fn unknown(bytes: &[u8], content: Content) -> ReadError {
-    use crate::base::places::Place;
-    use crate::base::scan::Scanner;
     let error = |place, fault| ReadError { format: None, part: None, place, fault };
     let unsupported = |what: &str, instead: &str| {
         error(Some(Place::Line(1)), Fault::Unsupported { what: what.into(), instead: instead.into() })

@@ -206,7 +206,7 @@ fn write_mesh(
     if !can.polygons && polygons && mesh.facets.iter().any(|cycle| cycle.len() > 3) {
         let triangles = mesh.triangulated().map_err(WriteError::Triangulate)?;
         notes.push(WriteNote::Triangulated { from: mesh.facets.len(), to: triangles.facets.len() });
-        objects = Cow::Owned(named.iter().map(|object| triangulated(object, &mesh)).collect());
+        objects = Cow::Owned(of_triangles(named, &mesh));
         mesh = Cow::Owned(triangles);
     }
     if !can.objects && named.len() > 1 {
@@ -229,11 +229,20 @@ fn write_mesh(
     }
 }
 
-/// Each facet of k corners has become k - 2 triangles.
-fn triangulated(object: &Object, mesh: &PolygonMesh) -> Object {
-    let before = mesh.facets.iter().take(object.first_facet as usize);
-    let first_facet = before.map(|cycle| cycle.len().max(3) as u32 - 2).sum();
-    Object { name: object.name.clone(), first_facet }
+/// The objects of the triangles of a mesh: each facet of k corners has become k - 2 of them.
+fn of_triangles(objects: &[Object], mesh: &PolygonMesh) -> Vec<Object> {
+    let mut starts = Vec::with_capacity(mesh.facets.len() + 1);
+    let mut start = 0;
+    for cycle in mesh.facets.iter() {
+        starts.push(start);
+        start += cycle.len().max(3) as u32 - 2;
+    }
+    starts.push(start);
+    let moved = |object: &Object| Object {
+        name: object.name.clone(),
+        first_facet: starts[object.first_facet as usize],
+    };
+    objects.iter().map(moved).collect()
 }
 
 impl fmt::Display for WriteNote {

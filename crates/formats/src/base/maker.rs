@@ -2,7 +2,7 @@
 
 use super::budget::Budget;
 use super::error::{Count, Fault, Located};
-use super::model::{Kind, Model, ReadModel};
+use super::model::{Kind, Model, ReadModel, ReadNote};
 use super::places::{Place, PlaceList, Places};
 use crate::format::Format;
 use exact::Point3;
@@ -18,6 +18,7 @@ pub(crate) struct MeshMaker<'b> {
     budget: &'b mut Budget,
     /// For each vertex the last large facet that has it, counted from 1, and its place in that facet.
     seen: Vec<(u32, u32)>,
+    notes: Vec<ReadNote>,
 }
 
 /// Facets of more corners look for repeated ones in a table.
@@ -34,8 +35,8 @@ const WIDE: u64 = 256;
 impl<'b> MeshMaker<'b> {
     /// An empty mesh, with empty lists for the places of vertices and facets.
     pub(crate) fn new(budget: &'b mut Budget, vertex_places: PlaceList, facet_places: PlaceList) -> Self {
-        let (points, facets, seen) = (Vec::new(), Facets::new(), Vec::new());
-        Self { points, facets, vertex_places, facet_places, budget, seen }
+        let (points, facets, seen, notes) = (Vec::new(), Facets::new(), Vec::new(), Vec::new());
+        Self { points, facets, vertex_places, facet_places, budget, seen, notes }
     }
 
     pub(crate) fn vertex_count(&self) -> u32 {
@@ -53,6 +54,11 @@ impl<'b> MeshMaker<'b> {
     /// For what a reader keeps beside the mesh.
     pub(crate) fn budget(&mut self) -> &mut Budget {
         self.budget
+    }
+
+    /// Adds a note on what is left out.
+    pub(crate) fn note(&mut self, note: ReadNote) {
+        self.notes.push(note);
     }
 
     /// Appends a vertex, and gives its index.
@@ -120,7 +126,7 @@ impl<'b> MeshMaker<'b> {
 
     /// The model of one mesh. A facet of two vertices is a segment, and has no place beside polygons.
     pub(crate) fn read_model(self, format: Format) -> Result<ReadModel, Located> {
-        let Self { points, facets, vertex_places, facet_places, .. } = self;
+        let Self { points, facets, vertex_places, facet_places, notes, .. } = self;
         if points.is_empty() {
             return Err(Fault::NoVertices.into());
         }
@@ -132,7 +138,7 @@ impl<'b> MeshMaker<'b> {
         }
         let model = Model::of_mesh(PolygonMesh { points, facets });
         let places = Places { part: None, vertices: vertex_places, facets: facet_places };
-        Ok(ReadModel { model, format, places })
+        Ok(ReadModel { model, format, places, notes })
     }
 }
 

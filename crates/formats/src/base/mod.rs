@@ -2,6 +2,7 @@
 
 pub(crate) mod budget;
 pub(crate) mod error;
+pub(crate) mod float;
 pub(crate) mod maker;
 pub(crate) mod model;
 pub(crate) mod number;

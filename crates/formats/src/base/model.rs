@@ -3,7 +3,7 @@
 use crate::base::places::Places;
 use crate::complex::Complex;
 use crate::format::Format;
-use exact::{Integer, Rational};
+use exact::{Affine3, Integer, Point3, Rational};
 use polytope::PolygonMesh;
 use std::fmt;
 
@@ -65,6 +65,19 @@ pub struct ReadModel {
     pub format: Format,
     /// Where the cells stand.
     pub places: Places,
+    /// What of the file is not in the model.
+    pub notes: Vec<ReadNote>,
+}
+
+/// What was left out of a model because it means nothing there.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum ReadNote {
+    /// STL has no indices: a facet with two corners at the same position is no facet.
+    DegenerateDropped {
+        /// The number of such facets.
+        facets: usize,
+    },
 }
 
 /// What the facets of a mesh make of its points.
@@ -110,6 +123,34 @@ impl Shape {
             Self::Complex(_) => None,
         }
     }
+
+    /// The points among its vertices, in order.
+    pub fn points(&self) -> impl Iterator<Item = &Point3> {
+        let (mesh, complex) = match self {
+            Self::Mesh(mesh) => (Some(mesh), None),
+            Self::Complex(complex) => (None, Some(complex)),
+        };
+        let of_mesh = mesh.into_iter().flat_map(|mesh| mesh.points.iter());
+        of_mesh.chain(complex.into_iter().flat_map(Complex::points))
+    }
+
+    /// The same cells under an affine map; cycles are turned round if the map reflects.
+    ///
+    /// `None` if the map takes the direction of an unbounded cell to zero, as only maps do that flatten space.
+    pub fn transformed(&self, map: &Affine3) -> Option<Self> {
+        match self {
+            Self::Mesh(mesh) => Some(Self::Mesh(mesh.transformed(map))),
+            Self::Complex(complex) => complex.transformed(map).map(Self::Complex),
+        }
+    }
+
+    /// The mesh, if it is one.
+    pub fn into_mesh(self) -> Option<PolygonMesh> {
+        match self {
+            Self::Mesh(mesh) => Some(mesh),
+            Self::Complex(_) => None,
+        }
+    }
 }
 
 impl Unit {
@@ -145,6 +186,19 @@ impl Unit {
             Self::Meter => (1, 1),
         };
         Rational::new(Integer::from(numerator), Integer::from(denominator)).expect("no denominator is zero")
+    }
+}
+
+impl fmt::Display for ReadNote {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::DegenerateDropped { facets: 1 } => {
+                f.write_str("1 facet has two corners at the same position: left out")
+            }
+            Self::DegenerateDropped { facets } => {
+                write!(f, "{facets} facets have two corners at the same position: left out")
+            }
+        }
     }
 }
 

@@ -76,14 +76,29 @@ impl PlaceList {
         }
     }
 
-    /// Appends a place of the kind that the list has.
+    /// Appends a place of the kind that the list has. Records of one size become offsets when one is not where the
+    /// next should be; a reader that skips records charges for them.
     #[inline]
     pub(crate) fn push(&mut self, place: Place) {
         match (self, place) {
             (Self::Lines(lines), Place::Line(line)) => lines.push(line),
             (Self::Bytes(bytes), Place::Byte(byte)) => bytes.push(byte),
-            (Self::Stride { count, .. }, Place::Byte(_)) => *count += 1,
+            (Self::Stride { first, step, count }, Place::Byte(byte))
+                if byte == *first + *step * *count as u64 =>
+            {
+                *count += 1;
+            }
+            (list @ Self::Stride { .. }, Place::Byte(byte)) => list.push_beside(byte),
             _ => unreachable!("a reader gives places of one kind"),
+        }
+    }
+
+    #[cold]
+    fn push_beside(&mut self, byte: u64) {
+        if let Self::Stride { first, step, count } = *self {
+            let mut bytes: Vec<u64> = (0..count as u64).map(|index| first + step * index).collect();
+            bytes.push(byte);
+            *self = Self::Bytes(bytes);
         }
     }
 }
@@ -98,4 +113,24 @@ pub struct Places {
     pub vertices: PlaceList,
     /// The facets, in their order in the model.
     pub facets: PlaceList,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn records_of_one_size_take_no_room_until_one_is_missing() {
+        let mut places = PlaceList::stride(84, 50);
+        for byte in [84, 134, 184] {
+            places.push(Place::Byte(byte));
+        }
+        assert_eq!(places, PlaceList::Stride { first: 84, step: 50, count: 3 });
+        for byte in [284, 334] {
+            places.push(Place::Byte(byte));
+        }
+        assert_eq!(places, PlaceList::Bytes(vec![84, 134, 184, 284, 334]));
+        assert_eq!(places.get(4), Some(Place::Byte(334)));
+        assert_eq!(places.get(5), None);
+    }
 }

@@ -39,6 +39,11 @@ impl<'a> Scanner<'a> {
         Self { bytes, at, line: 1 }
     }
 
+    /// Starts at this byte, the first of this line.
+    pub(crate) fn starting_at(bytes: &'a [u8], at: usize, line: u32) -> Self {
+        Self { bytes, at, line }
+    }
+
     /// The next token of the current line, if there is one. Stays in the line.
     #[inline]
     pub(crate) fn token_in_line(&mut self) -> Option<Token<'a>> {

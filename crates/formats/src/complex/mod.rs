@@ -113,6 +113,19 @@ impl Complex {
         volume <= 1 || self.volumes.contains_key(&volume)
     }
 
+    /// The points among its vertices, in order.
+    pub fn points(&self) -> impl Iterator<Item = &Point3> {
+        self.vertices.iter().filter_map(|vertex| match &vertex.position {
+            Position::Point(point) => Some(point),
+            Position::Direction(_) => None,
+        })
+    }
+
+    /// Whether there are vertices at infinity.
+    pub fn has_directions(&self) -> bool {
+        self.vertices.iter().any(Vertex::is_direction)
+    }
+
     /// The complex of a mesh: isolated points; segments; one polygon, which encloses nothing; or the surface of
     /// volume 1.
     ///

@@ -8,6 +8,12 @@ use exact::Point3;
 use polytope::{Facets, PolygonMesh, triangulate_with_holes};
 
 impl Complex {
+    /// The closure of the interior of the set, as a mesh; `None` if it is unbounded or empty, or if facets with holes
+    /// cannot be cut.
+    pub fn regular_part(&self) -> Option<PolygonMesh> {
+        self.to_mesh(&[], Format::Off, true, &mut Vec::new()).ok().map(|(mesh, _)| mesh)
+    }
+
     /// The mesh, and its objects, that a format without marks, holes and directions can hold. With `lossy` the
     /// regular part is given, and what is left out is noted.
     ///

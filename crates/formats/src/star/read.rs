@@ -341,7 +341,12 @@ impl<'b> Reader<'b> {
         let facets = if of_edges { edge_places } else { facet_places };
         let shape = complex.as_mesh().map_or(Shape::Complex(complex), Shape::Mesh);
         let places = Places { part: None, vertices: vertex_places, facets };
-        Ok(ReadModel { model: Model { shape, objects, unit }, format: Format::Star, places })
+        Ok(ReadModel {
+            model: Model { shape, objects, unit },
+            format: Format::Star,
+            places,
+            notes: Vec::new(),
+        })
     }
 }
 

@@ -1,10 +1,20 @@
 //! Tables of texts with the meshes or the errors that they must give.
 
-use splitstar_formats::{Kind, ReadMesh, read_off};
+use polytope::PolygonMesh;
+use splitstar_formats::{Kind, Place, ReadError, ReadModel, read};
+
+/// OFF by its name, so that the messages are those of its reader whatever the content looks like.
+fn read_off(text: &[u8]) -> Result<ReadModel, ReadError> {
+    read(text, Some("off"))
+}
+
+fn mesh(read: ReadModel) -> PolygonMesh {
+    read.model.shape.into_mesh().expect("an OFF file has a mesh")
+}
 
 /// The coordinates of every point, as text.
-fn shown(read: &ReadMesh) -> Vec<String> {
-    read.mesh.points.iter().map(|p| p.coordinates().map(|c| c.to_string()).join(" ")).collect()
+fn shown(mesh: &PolygonMesh) -> Vec<String> {
+    mesh.points.iter().map(|p| p.coordinates().map(|c| c.to_string()).join(" ")).collect()
 }
 
 struct Good {
@@ -114,31 +124,31 @@ const GOOD: &[Good] = &[
 #[test]
 fn every_good_row_gives_its_mesh() {
     for row in GOOD {
-        let read = read_off(row.text).unwrap_or_else(|e| panic!("{}: {e}", row.name));
-        assert_eq!(read.kind(), row.kind, "{}", row.name);
-        assert_eq!(shown(&read), row.points, "{}", row.name);
-        assert_eq!(read.mesh.facets.iter().collect::<Vec<_>>(), row.facets, "{}", row.name);
+        let mesh = mesh(read_off(row.text).unwrap_or_else(|e| panic!("{}: {e}", row.name)));
+        assert_eq!(Kind::of(&mesh), row.kind, "{}", row.name);
+        assert_eq!(shown(&mesh), row.points, "{}", row.name);
+        assert_eq!(mesh.facets.iter().collect::<Vec<_>>(), row.facets, "{}", row.name);
     }
 }
 
 /// Name, text, and the whole message.
 const BAD: &[(&str, &[u8], &str)] = &[
-    ("empty", b"", "the file is empty; an OFF file was expected"),
-    ("blank", b"\n # OFF\n\r\n", "the file is empty; an OFF file was expected"),
+    ("empty", b"", "the file is empty; a mesh was expected"),
+    ("blank", b"\n # OFF\n\r\n", "the file is empty; a mesh was expected"),
     (
         "another format",
-        b"\nsolid cube\n",
-        "line 2: no known format: the file begins with `solid`; an OFF file begins with the word OFF",
+        b"\nSOLID cube\n",
+        "line 2: no known format: the file begins with `SOLID`; OFF, OBJ, STL, PLY, 3MF, VRML and star can be read",
     ),
     (
         "small letters",
         b"off\n1 0 0\n0 0 0\n",
-        "line 1: no known format: the file begins with `off`; an OFF file begins with the word OFF",
+        "line 1: no known format: the file begins with `off`; OFF, OBJ, STL, PLY, 3MF, VRML and star can be read",
     ),
     (
         "no blank behind the keyword",
         b"OFF8 6 12\n",
-        "line 1: no known format: the file begins with `OFF8`; an OFF file begins with the word OFF",
+        "line 1: no known format: the file begins with `OFF8`; OFF, OBJ, STL, PLY, 3MF, VRML and star can be read",
     ),
     (
         "four coordinates",
@@ -181,8 +191,8 @@ const BAD: &[(&str, &[u8], &str)] = &[
     (
         "counts without edges",
         b"OFF\n1 0\n0 0 0\n",
-        "line 3: `0` after the three counts; write the numbers of vertices, facets and edges, \
-         and begin the vertices on a line of their own",
+        "line 3: `0` where the end of the line with the three counts (of vertices, facets and edges) was expected; \
+         correct it",
     ),
     ("no vertex", b"OFF\n0 0 0\n", "line 2: the mesh is empty: it has no vertex; at least one is needed"),
     (
@@ -295,7 +305,7 @@ const BAD: &[(&str, &[u8], &str)] = &[
     (
         "vertex twice in a row",
         b"OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n4 0 1\n1 2\n",
-        "line 7: the facet has vertex 1 twice in a row; name every vertex of a facet once",
+        "line 6: the facet has vertex 1 twice in a row; name every vertex of a facet once",
     ),
     (
         "vertex first and last",
@@ -329,7 +339,7 @@ fn every_bad_row_gives_its_message() {
     for (name, text, message) in BAD {
         let error = read_off(text).expect_err(name);
         assert_eq!(error.to_string(), *message, "{name}");
-        let place = error.line().map_or(String::new(), |line| format!("line {line}: "));
+        let place = error.place.map_or(String::new(), |place| format!("{place}: "));
         assert_eq!(format!("{place}{}", error.sentence()), *message, "{name}");
     }
 }
@@ -357,15 +367,18 @@ fn the_number_of_digits_is_limited() {
 fn records_know_their_lines() {
     let text = b"OFF\n# a comment\n3 2 0\n0 0 0\n\n1 0\n0\n0 1 0\n3 0\n1 2\n3 2 1 0\n";
     let read = read_off(text).unwrap();
-    assert_eq!(read.vertex_lines, [4, 6, 8]);
-    assert_eq!(read.facet_lines, [9, 11]);
+    let lines = |lines: &[u32]| lines.iter().copied().map(|line| Some(Place::Line(line))).collect::<Vec<_>>();
+    let [vertices, facets] = [&read.places.vertices, &read.places.facets];
+    assert_eq!((0..3).map(|v| vertices.get(v)).collect::<Vec<_>>(), lines(&[4, 6, 8]));
+    assert_eq!((0..2).map(|f| facets.get(f)).collect::<Vec<_>>(), lines(&[9, 11]));
+    assert_eq!((vertices.get(3), facets.get(2)), (None, None));
 }
 
 #[test]
 fn decimals_are_exact() {
     // One tenth is not the nearest double of one tenth, and the sum of the two is 3/10.
-    let read = read_off(b"OFF\n2 0 0\n0.1 0.30000000000000004 1e-400\n0.2 0.3 1e400\n").unwrap();
-    let [first, second] = [0, 1].map(|vertex| read.mesh.points[vertex].coordinates());
+    let mesh = mesh(read_off(b"OFF\n2 0 0\n0.1 0.30000000000000004 1e-400\n0.2 0.3 1e400\n").unwrap());
+    let [first, second] = [0, 1].map(|vertex| mesh.points[vertex].coordinates());
     assert_eq!((&first[0] + &second[0]).to_string(), "3/10");
     assert!(first[1] > second[1]);
     assert_eq!((&first[2] * &second[2]).to_string(), "1");
