@@ -9,8 +9,8 @@ const FORMS: &str = "a corner `v`, `v/vt`, `v//vn` or `v/vt/vn`";
 
 /// Reads a corner, and gives the index of its vertex from 0 where so many vertices are known.
 ///
-/// The other indices need only be whole numbers: nothing is done with what they name. Some programs leave them out
-/// behind a slash, or write 0.
+/// The other indices need only be whole numbers: nothing is done with what they name. Some programs leave
+/// them out behind a slash, or write 0.
 #[inline]
 pub(super) fn read_corner(token: Token<'_>, vertices: u32) -> Result<u32, Located> {
     let Some(slash) = token.bytes.iter().position(|&byte| byte == b'/') else {

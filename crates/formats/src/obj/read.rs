@@ -14,17 +14,18 @@ use crate::format::Format;
 
 /// Reads an OBJ file.
 ///
-/// - `v` gives a vertex: three coordinates. A weight and a colour behind them are ignored; the weight is one for
-///   rational curves, not for meshes.
-/// - `f` (and its old form `fo`) gives a facet, `l` a polyline, each pair of neighbours in it being a segment, and
-///   `p` points. Vertices are counted from 1, or by negative numbers from the last one so far. Lines and points have
-///   no place beside facets. Where there are only points, the vertices that `p` does not name are left out.
+/// - `v` gives a vertex: three coordinates. A weight and a colour behind them are ignored; the weight is one
+///   for rational curves, not for meshes.
+/// - `f` (and its old form `fo`) gives a facet, `l` a polyline, each pair of neighbours in it being a
+///   segment, and `p` points. Vertices are counted from 1, or by negative numbers from the last one so far.
+///   Lines and points have no place beside facets. Where there are only points, the vertices that `p` does
+///   not name are left out.
 /// - `o` begins an object; where there is no `o`, a group `g` does. An object without facets is left out.
-/// - Normals, texture coordinates, materials and statements of other programs are ignored; free-form curves and
-///   surfaces are refused.
+/// - Normals, texture coordinates, materials and statements of other programs are ignored; free-form curves
+///   and surfaces are refused.
 ///
-/// A backslash at the end of a line continues the statement in the next line. `#` starts a comment anywhere but
-/// within a word of a name.
+/// A backslash at the end of a line continues the statement in the next line. `#` starts a comment anywhere
+/// but within a word of a name.
 pub(crate) fn read(bytes: &[u8], budget: &mut Budget) -> Result<ReadModel, Located> {
     let maker = MeshMaker::new(budget, PlaceList::lines(), PlaceList::lines());
     let mut statements = Statements::new(bytes);

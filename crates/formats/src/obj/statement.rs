@@ -3,8 +3,8 @@
 use crate::base::error::Located;
 use crate::base::scan::{Scanner, Token};
 
-/// Walks over the words of a text, statement by statement. A statement ends with its line, unless a backslash stands
-/// at the end of the line.
+/// Walks over the words of a text, statement by statement. A statement ends with its line, unless a backslash
+/// stands at the end of the line.
 pub(super) struct Statements<'a> {
     bytes: &'a [u8],
     scanner: Scanner<'a>,
@@ -57,7 +57,8 @@ impl<'a> Statements<'a> {
         }
     }
 
-    /// What is left of the line, without blanks around it: a name, in which a `#` behind a blank starts a comment.
+    /// What is left of the line, without blanks around it: a name, in which a `#` behind a blank starts a
+    /// comment.
     pub(super) fn name(&self) -> &'a [u8] {
         let rest = &self.bytes[self.at()..];
         let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r')).unwrap_or(rest.len());

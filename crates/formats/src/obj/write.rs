@@ -4,11 +4,11 @@ use crate::base::model::Kind;
 use crate::base::numerals::{Numerals, Rounding, put, put_point};
 use crate::write::{Body, Task, WriteError, too_large};
 
-/// Writes a mesh as OBJ: the vertices, then the facets of each object under its name. A point set is written with
-/// `p`, segments with `l`.
+/// Writes a mesh as OBJ: the vertices, then the facets of each object under its name. A point set is written
+/// with `p`, segments with `l`.
 ///
-/// A name stands in one line: its line breaks become blanks. Blanks around it are left out, and what would end it
-/// (a `#` behind a blank, a backslash at its end) becomes `_`.
+/// A name stands in one line: its line breaks become blanks. Blanks around it are left out, and what would
+/// end it (a `#` behind a blank, a backslash at its end) becomes `_`.
 pub(crate) fn write(task: &Task<'_>) -> Result<Body, WriteError> {
     let mesh = task.mesh;
     let mut bytes = Vec::with_capacity(24 * mesh.points.len() + 8 * mesh.facets.corners().len());

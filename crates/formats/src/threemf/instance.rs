@@ -114,9 +114,8 @@ impl Builder<'_, '_> {
                 self.open.push(Open { object, rest: range.clone(), map });
                 Ok(())
             }
-            Content::Nothing => {
-                Err(Token { bytes: b"<object>", line: used.line }.unexpected("an object with a mesh or components"))
-            }
+            Content::Nothing => Err(Token { bytes: b"<object>", line: used.line }
+                .unexpected("an object with a mesh or components")),
         }
     }
 

@@ -1,8 +1,8 @@
 //! What a model is made of: where its meshes stand, and how they are put together.
 
+use super::CORE;
 use super::transform::{self, Map};
 use super::xml::{Element, Value, Xml};
-use super::CORE;
 use crate::base::budget::Budget;
 use crate::base::error::{At, Fault, Located};
 use crate::base::model::Unit;
@@ -75,12 +75,8 @@ pub(super) fn read(text: &str, budget: &mut Budget) -> Result<Outline, Located> 
     if let Some(required) = required {
         check_extensions(&xml, &required)?;
     }
-    let outline = Outline {
-        unit: read_unit(unit)?,
-        objects: Vec::new(),
-        components: Vec::new(),
-        items: Vec::new(),
-    };
+    let outline =
+        Outline { unit: read_unit(unit)?, objects: Vec::new(), components: Vec::new(), items: Vec::new() };
     let mut reader = Reader { xml, budget, outline, numbers: HashMap::new(), prefixes: Rc::default() };
     if root.has_content() {
         reader.model()?;
@@ -106,14 +102,11 @@ fn check_extensions(xml: &Xml<'_>, required: &Value<'_>) -> Result<(), Located> 
             return Err(token.unexpected("the prefix of a namespace"));
         };
         if !HARMLESS.contains(&namespace.as_str()) {
-            let namespace = Token { bytes: namespace.as_bytes(), line: token.line };
-            let last = std::str::from_utf8(namespace.bytes).unwrap_or_default();
             // The end of a namespace tells more than its beginning.
-            let tail = last.rsplitn(3, '/').take(2).collect::<Vec<_>>();
-            let tail = tail.into_iter().rev().collect::<Vec<_>>().join("/");
-            let tail = Token { bytes: tail.as_bytes(), line: token.line };
+            let start = namespace.rmatch_indices('/').nth(2).map_or(0, |(at, _)| at + 1);
+            let end = Token { bytes: &namespace.as_bytes()[start..], line: token.line };
             return Err(token.fault(|prefix| Fault::Unsupported {
-                what: format!("the extension `{prefix}` ({}) of 3MF, which the model requires", tail.shown()),
+                what: format!("a model that requires the extension `{prefix}` ({}) of 3MF", end.shown()),
                 instead: "export it without extensions, as plain triangles".into(),
             }));
         }
@@ -169,10 +162,12 @@ impl<'t> Reader<'t, '_> {
             Some("support" | "solidsupport") => true,
             Some(_) => {
                 let kind = kind.expect("there is one");
-                return Err(kind.token().unexpected("a type (model, solidsupport, support, surface or other)"));
+                return Err(kind
+                    .token()
+                    .unexpected("a type (model, solidsupport, support, surface or other)"));
             }
         };
-        let name = name.or(part).map(|name| name.trimmed().to_string()).unwrap_or_default();
+        let name = name.or(part).map(|name| name.text().to_string()).unwrap_or_default();
         let bytes = 2 * size_of::<Object>() as u64 + TABLE_ENTRY + name.len() as u64;
         self.budget.charge(bytes).at_line(element.line)?;
         if self.numbers.insert(number, self.outline.objects.len()).is_some() {
@@ -230,7 +225,8 @@ impl<'t> Reader<'t, '_> {
     /// An item or a component. Its object is still the number in the file.
     fn reference(&mut self, element: &Element<'t>) -> Result<Reference, Located> {
         if let Some(path) = self.xml.attribute_of(element, "path", PRODUCTION)? {
-            let what = format!("a model in several parts (`{}`)", Token { bytes: path.as_bytes(), line: 0 }.shown());
+            let what =
+                format!("a model in several parts (`{}`)", Token { bytes: path.as_bytes(), line: 0 }.shown());
             let instead = "export it as one part".into();
             return Err(Fault::Unsupported { what, instead }.at(Place::Line(element.line)));
         }

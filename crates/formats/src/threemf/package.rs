@@ -41,7 +41,8 @@ pub(super) fn model_part(bytes: &[u8], budget: &mut Budget) -> Result<(String, V
     Err(match target {
         Some(target) => in_part(
             RELATIONSHIPS,
-            Fault::Packed { why: format!("it says that the model is {}, which is missing", shown(&target)) }.into(),
+            Fault::Packed { why: format!("it says that the model is {}, which is missing", shown(&target)) }
+                .into(),
         ),
         None => whole(Fault::Unsupported {
             what: "a zip archive without a 3MF model".into(),
@@ -83,7 +84,11 @@ fn target(bytes: &[u8]) -> Result<Option<String>, Located> {
 }
 
 /// Unpacks a file of the archive; gives its name and its bytes.
-fn unpack(archive: &mut Archive<'_>, index: usize, budget: &mut Budget) -> Result<(String, Vec<u8>), ReadError> {
+fn unpack(
+    archive: &mut Archive<'_>,
+    index: usize,
+    budget: &mut Budget,
+) -> Result<(String, Vec<u8>), ReadError> {
     let raw = archive.by_index_data(index).map(|entry| entry.name_raw().to_vec());
     let part = shown(&String::from_utf8_lossy(&raw.unwrap_or_default()));
     match unpack_bytes(archive, index, budget) {
@@ -112,7 +117,8 @@ fn unpack_bytes(archive: &mut Archive<'_>, index: usize, budget: &mut Budget) ->
 fn archive_fault(error: &ZipError) -> Fault {
     match error {
         ZipError::UnsupportedArchive(_) | ZipError::CompressionMethodNotSupported(_) => Fault::Unsupported {
-            what: "a zip archive of this kind (encrypted, in several volumes, or packed by a rare method)".into(),
+            what: "a zip archive of this kind (encrypted, in several volumes, or packed by a rare method)"
+                .into(),
             instead: "pack it again with deflate".into(),
         },
         _ => Fault::Packed { why: "the list of the files in the zip archive is wrong, or missing".into() },

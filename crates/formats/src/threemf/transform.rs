@@ -39,7 +39,8 @@ pub(super) fn read(value: Option<Value<'_>>, element: &Element<'_>) -> Result<Ma
     let Ok(numbers) = <[Rational; 12]>::try_from(numbers) else {
         return Err(wrong(&value, "a transform of 12 numbers"));
     };
-    let bits = numbers.iter().map(|n| u64::from(n.numerator().bit_len()) + u64::from(n.denominator().bit_len()));
+    let bits =
+        numbers.iter().map(|n| u64::from(n.numerator().bit_len()) + u64::from(n.denominator().bit_len()));
     let bits = bits.sum();
     let column = |index: usize| [0, 3, 6].map(|row| numbers[row + index].clone());
     let linear = Linear3::from_rationals(&[0, 1, 2].map(column));

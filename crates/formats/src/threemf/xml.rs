@@ -83,7 +83,12 @@ impl<'t> Xml<'t> {
     }
 
     /// Begins at an element within a text, where these prefixes are bound to the namespace of the model.
-    pub(super) fn at_element(text: &'t str, at: usize, line: u32, prefixes: &[String]) -> Result<Self, Located> {
+    pub(super) fn at_element(
+        text: &'t str,
+        at: usize,
+        line: u32,
+        prefixes: &[String],
+    ) -> Result<Self, Located> {
         let mut reader = NsReader::from_str(&text[at..]);
         for prefix in prefixes {
             let declaration = match prefix.as_str() {
@@ -148,6 +153,13 @@ impl<'t> Xml<'t> {
         self.line
     }
 
+    /// The first word behind a position.
+    fn word_at(&mut self, at: usize) -> Token<'t> {
+        let rest = self.text[at..].trim_start();
+        let line = self.line_at(self.text.len() - rest.len());
+        Token { bytes: rest.split_whitespace().next().unwrap_or_default().as_bytes(), line }
+    }
+
     /// The first element, which must have this name.
     pub(super) fn root(&mut self, name: &str) -> Result<Element<'t>, Located> {
         loop {
@@ -157,9 +169,8 @@ impl<'t> Xml<'t> {
                 Some(Step::Text) if self.text[at..self.position()].trim().is_empty() => continue,
                 Some(Step::Other) => continue,
                 Some(Step::Text | Step::End) => {
-                    let line = self.line_at(at);
-                    let word = self.text[at..].split_whitespace().next().unwrap_or_default();
-                    return Err(Token { bytes: word.as_bytes(), line }.unexpected(&format!("<{name}>")));
+                    let word = self.word_at(at);
+                    return Err(word.unexpected(&format!("<{name}>")));
                 }
                 None => return Err(self.truncated(&format!("`<{name}>` was expected"))),
             };
@@ -209,10 +220,8 @@ impl<'t> Xml<'t> {
                 Some(Step::Other) => {}
                 Some(Step::Text) if self.text[at..self.position()].trim().is_empty() => {}
                 Some(_) => {
-                    let line = self.line_at(at);
-                    let word = self.text[at..].split_whitespace().next().unwrap_or_default();
-                    let token = Token { bytes: word.as_bytes(), line };
-                    return Err(token.fault(|token| Fault::AfterEnd { token, end: format!("the {end}") }));
+                    let word = self.word_at(at);
+                    return Err(word.fault(|token| Fault::AfterEnd { token, end: format!("the {end}") }));
                 }
             }
         }
@@ -283,7 +292,7 @@ impl<'t> Xml<'t> {
             Error::Syntax(_) | Error::IllFormed(IllFormedError::UnclosedReference)
                 if !self.text[at..].starts_with("<!") || self.text[at..].starts_with("<!--") =>
             {
-                self.truncated("what was begun before is not finished")
+                self.truncated("the end of a tag or a comment was expected")
             }
             Error::IllFormed(IllFormedError::MismatchedEndTag { expected, found }) => {
                 token(format!("</{found}>").as_bytes()).unexpected(&format!("</{}>", shown(expected)))
@@ -291,7 +300,9 @@ impl<'t> Xml<'t> {
             Error::IllFormed(IllFormedError::UnmatchedEndTag(found)) => {
                 token(format!("</{found}>").as_bytes()).unexpected("the end of the text")
             }
-            Error::Namespace(NamespaceError::TooManyBindings(_)) => too_many_namespaces().at(Place::Line(line)),
+            Error::Namespace(NamespaceError::TooManyBindings(_)) => {
+                too_many_namespaces().at(Place::Line(line))
+            }
             _ => {
                 let tag = self.text[at..].split_inclusive('>').next().unwrap_or_default();
                 token(tag.as_bytes()).unexpected("well-formed XML")
@@ -301,7 +312,10 @@ impl<'t> Xml<'t> {
 }
 
 fn too_many_namespaces() -> Fault {
-    Fault::Unsupported { what: "a text with so many namespaces".into(), instead: "export the model again".into() }
+    Fault::Unsupported {
+        what: "a text with so many namespaces".into(),
+        instead: "export the model again".into(),
+    }
 }
 
 /// What was read, as far as it matters.
@@ -325,14 +339,17 @@ impl Element<'_> {
     }
 
     /// The attributes of these names, none of which may be there twice.
-    pub(super) fn attributes<const N: usize>(&self, names: [&str; N]) -> Result<[Option<Value<'_>>; N], Located> {
+    pub(super) fn attributes<const N: usize>(
+        &self,
+        names: [&str; N],
+    ) -> Result<[Option<Value<'_>>; N], Located> {
         let mut values = [const { None }; N];
         for attribute in self.start.attributes().with_checks(false) {
             let attribute = attribute.map_err(|_| self.bad_attributes())?;
             let key = attribute.key.as_ref();
             let Some(index) = names.iter().position(|name| *name == key) else { continue };
             if values[index].is_some() {
-                let expected = format!("the attribute {key} only once");
+                let expected = format!("<{}> with one attribute {key}", shown(self.start.name().as_ref()));
                 return Err(self.unexpected(&expected));
             }
             values[index] = Some(Value { text: self.unescaped(attribute.value)?, line: self.line });
@@ -351,7 +368,7 @@ impl Element<'_> {
 
     /// An attribute is missing.
     pub(super) fn lacks(&self, name: &str) -> Located {
-        self.unexpected(&format!("the element with its attribute {name}"))
+        self.unexpected(&format!("<{}> with the attribute {name}", shown(self.start.name().as_ref())))
     }
 
     /// References in a value are replaced; only those that XML knows by itself.
@@ -370,8 +387,8 @@ impl Element<'_> {
     }
 
     fn bad_attributes(&self) -> Located {
-        let token = Token { bytes: self.start.attributes_raw().trim().as_bytes(), line: self.line };
-        token.unexpected("attributes as name=\"value\"")
+        let name = shown(self.start.name().as_ref());
+        self.unexpected(&format!("<{name}> with attributes written as name=\"value\""))
     }
 
     /// Something else was expected than this element.
@@ -382,6 +399,11 @@ impl Element<'_> {
 }
 
 impl Value<'_> {
+    /// The value as it is, references replaced.
+    pub(super) fn text(&self) -> &str {
+        &self.text
+    }
+
     /// The value without blanks around it.
     pub(super) fn trimmed(&self) -> &str {
         self.text.trim_matches(is_blank)

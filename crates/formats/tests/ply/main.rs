@@ -217,7 +217,7 @@ fn headers_have_any_line_ends() {
         let mesh_of = |file: &[u8]| shown(&mesh(read_ply(file).unwrap_or_else(|e| panic!("{end:?}: {e}"))));
         assert_eq!(mesh_of(&file), ["10 10 13", "13 10 1"], "{end:?}");
         let mut file = header("ascii");
-        file.extend(format!("1 2\n3\n\n 4\t5 6 \n\n").replace('\n', end).bytes());
+        file.extend("1 2\n3\n\n 4\t5 6 \n\n".replace('\n', end).bytes());
         assert_eq!(mesh_of(&file), ["1 2 3", "4 5 6"], "{end:?}");
         // The last line may end with the file.
         let bare = file.iter().rposition(|byte| *byte == b'6').unwrap() + 1;

@@ -1,7 +1,7 @@
 //! What cannot be read, and why.
 
 use crate::{TETRAHEDRON, binary, binary_with};
-use splitstar_formats::{Format, read};
+use splitstar_formats::{Format, check_start, read};
 
 /// A text with other lines in the place of the second and the third vertex.
 fn text_with(lines: &str) -> Vec<u8> {
@@ -120,7 +120,7 @@ fn every_bad_binary_file_gives_its_error() {
             "byte 7: the file ends where the header of binary STL was expected: 80 bytes, and the number of facets; complete it, or correct the counts",
         ),
         (
-            vec![0x81, 0, 0xFE].repeat(30),
+            [0x81, 0, 0xFE].repeat(30),
             "byte 90: the file ends where a facet was expected, after 0 of the 4261446142 that the header promises; complete it, or correct the counts",
         ),
     ];
@@ -135,4 +135,26 @@ fn without_a_name_a_broken_binary_file_is_of_no_known_format() {
     let bytes = binary(&TETRAHEDRON);
     let error = read(&bytes[..200], None).unwrap_err();
     assert!(error.to_string().starts_with("line 1: no known format: the file begins with `made`"), "{error}");
+}
+
+#[test]
+fn a_stream_may_be_binary_if_it_promises_more_and_is_no_text() {
+    let start = |count: u32, padding: u8| {
+        let mut bytes = vec![padding; 80];
+        bytes.extend(count.to_le_bytes());
+        bytes
+    };
+    let triangles = |bytes: Vec<u8>| [bytes, binary(&TETRAHEDRON)[84..].repeat(300)].concat();
+    assert_eq!(check_start(&triangles(start(1201, 0)), None), Ok(()));
+    assert_eq!(check_start(&triangles(start(1200, b'x')), None), Ok(()));
+    // Fewer than there are, none, a text, and noise.
+    let noise = |at: u32| (at.wrapping_mul(0x9E37_79B9) >> 13) as u8;
+    let noise = [vec![0; 84], (0..60_000).map(noise).collect()].concat();
+    let mut noise_with_count = noise.clone();
+    noise_with_count[80..84].copy_from_slice(&[0xFF; 4]);
+    for bytes in [triangles(start(1199, 0)), vec![0; 65_536], b"y\n".repeat(32_768), noise, noise_with_count]
+    {
+        assert!(check_start(&bytes, None).is_err());
+        assert_eq!(check_start(&bytes, Some("x.stl")), Ok(()));
+    }
 }

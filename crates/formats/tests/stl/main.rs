@@ -2,6 +2,8 @@
 
 // A test prints its seed, and fails by panicking, in its helpers too.
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
+// Floats are read and written exactly.
+#![allow(clippy::float_cmp)]
 
 mod bad;
 mod changed;

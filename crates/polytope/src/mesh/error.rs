@@ -118,6 +118,11 @@ pub enum Note {
         /// The number of distinct positions.
         to: usize,
     },
+    /// Facets were dropped that had fewer than three different vertices, perhaps only after these were welded.
+    Collapsed {
+        /// How many.
+        facets: usize,
+    },
     /// Vertices on no facet were dropped.
     Unused {
         /// How many.
@@ -145,6 +150,12 @@ impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Welded { from, to } => write!(f, "{from} vertices welded to {to} at equal positions"),
+            Self::Collapsed { facets: 1 } => {
+                write!(f, "1 facet dropped that has fewer than three different vertices")
+            }
+            Self::Collapsed { facets } => {
+                write!(f, "{facets} facets dropped that have fewer than three different vertices")
+            }
             Self::Unused { vertices: 1 } => write!(f, "1 unused vertex dropped"),
             Self::Unused { vertices } => write!(f, "{vertices} unused vertices dropped"),
             Self::TurnedInsideOut => write!(f, "the mesh is inside out; its facets were turned round"),

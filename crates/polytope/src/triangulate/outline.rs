@@ -12,8 +12,6 @@ pub(super) struct Outline<'a> {
     /// The place of each corner in the order of the plane; corners at the same place share it.
     pub(super) ranks: Vec<u32>,
     pub(super) edges: Vec<Edge>,
-    /// The corners that are a cycle of their own.
-    pub(super) lone: Vec<u32>,
 }
 
 /// An edge of the boundary, between two corners.
@@ -48,18 +46,16 @@ impl<'a> Outline<'a> {
         planar: bool,
         cycles: impl IntoIterator<Item = &'c [u32]>,
     ) -> Result<Self, [u32; 2]> {
-        let (mut vertices, mut lone, mut pairs) = (Vec::new(), Vec::new(), Vec::new());
+        let (mut vertices, mut pairs) = (Vec::new(), Vec::new());
         for cycle in cycles {
             let first = vertices.len() as u32;
             vertices.extend_from_slice(cycle);
             let end = vertices.len() as u32;
-            match cycle.len() {
-                0 => {}
-                1 => lone.push(first),
-                _ => pairs.extend((first..end).map(|c| [c, if c + 1 < end { c + 1 } else { first }])),
+            if cycle.len() > 1 {
+                pairs.extend((first..end).map(|c| [c, if c + 1 < end { c + 1 } else { first }]));
             }
         }
-        let mut outline = Self { points, normal, vertices, ranks: Vec::new(), edges: Vec::new(), lone };
+        let mut outline = Self { points, normal, vertices, ranks: Vec::new(), edges: Vec::new() };
         outline.ranks = outline.ranked(planar);
         for [source, target] in pairs {
             let forward = match outline.rank(source).cmp(&outline.rank(target)) {
@@ -91,9 +87,8 @@ impl<'a> Outline<'a> {
         let mut sorted: Vec<u32> = (0..self.vertices.len() as u32).collect();
         sorted.sort_by(order);
         let mut ranks = vec![0; sorted.len()];
-        for (at, pair) in sorted.windows(2).enumerate() {
+        for pair in sorted.windows(2) {
             let step = u32::from(order(&pair[0], &pair[1]) == Ordering::Less);
-            debug_assert!(at + 1 < ranks.len());
             ranks[pair[1] as usize] = ranks[pair[0] as usize] + step;
         }
         ranks
