@@ -32,7 +32,7 @@ pub use overlay::OverlayCounts;
 pub use polygon_mesh::PolygonMesh;
 pub use polytope::{Counts, Polytope, convex_hull};
 pub use sum::{minkowski_sum, minkowski_sum_by_hull, overlay_counts};
-pub use triangulate::TriangulateError;
+pub use triangulate::{HoleError, TriangulateError, triangulate_with_holes};
 pub use validity::Violation;
 
 pub use dcel::{Defect, FacetId, HalfedgeId, Mesh, VertexId};

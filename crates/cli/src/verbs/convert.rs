@@ -2,12 +2,12 @@
 
 use super::{Job, Outcome};
 use crate::args::{Motion, Rotation, Run};
-use crate::explain::mesh_error;
+use crate::console::Console;
 use crate::failure::Failure;
 use crate::input::Operand;
 use splitstar::exact::{Affine3, Quaternion, Rational};
-use splitstar::formats::{Complex, Model, Shape, Unit};
-use splitstar::polytope::{Mending, PolygonMesh, TriangulateError};
+use splitstar::formats::{Complex, Model, Object, Shape, Unit};
+use splitstar::polytope::{PolygonMesh, TriangulateError};
 
 pub(crate) fn convert(run: &Run) -> Result<(), Failure> {
     let quaternion = run.motion.rotation.as_ref().map(quaternion).transpose()?;
@@ -25,8 +25,72 @@ pub(crate) fn convert(run: &Run) -> Result<(), Failure> {
         Shape::Complex(complex) => complex_shape(complex, operand, run)?,
     };
     if let Some(map) = affine(units, &run.motion, quaternion.as_ref()) {
-        model.shape = model.shape.transformed(&map);
+        model.shape = model.shape.transformed(&map).expect("no step of a motion flattens space");
     }
     model.unit = run.unit.or(model.unit);
     job.finish(&Outcome { model, polytope: None, method: "convert", quaternion })
+}
+
+fn mesh_shape(
+    mesh: PolygonMesh,
+    _objects: &mut Vec<Object>,
+    operand: &Operand,
+    run: &Run,
+    _console: &Console,
+) -> Result<Shape, Failure> {
+    if run.triangulate {
+        return triangulated(&mesh, operand).map(Shape::Mesh);
+    }
+    Ok(Shape::Mesh(mesh))
+}
+
+/// A mesh cut into triangles; a failure names the facet.
+pub(super) fn triangulated(mesh: &PolygonMesh, operand: &Operand) -> Result<PolygonMesh, Failure> {
+    mesh.triangulated().map_err(|error| {
+        let what = match error {
+            TriangulateError::NoArea { .. } => "the facet encloses no area; remove it",
+            _ => "the boundary of the facet crosses or touches itself; cut it by hand",
+        };
+        operand.failure(operand.facet_place(error.facet()), what)
+    })
+}
+
+fn complex_shape(complex: Complex, operand: &Operand, run: &Run) -> Result<Shape, Failure> {
+    let option = match (run.join, run.triangulate) {
+        (true, _) => "--join",
+        (_, true) => "--triangulate",
+        _ => return Ok(Shape::Complex(complex)),
+    };
+    Err(operand.failure(
+        None,
+        format!(
+            "{option} is for meshes, and this is a complex of cells; --lossy with a mesh format makes it one"
+        ),
+    ))
+}
+
+/// The factor that takes lengths in one unit to another.
+fn unit_scale(from: Unit, to: Unit) -> Rational {
+    &from.meters() * &to.meters().recip().expect("no unit is zero")
+}
+
+fn quaternion(rotation: &Rotation) -> Result<Quaternion, Failure> {
+    match rotation {
+        Rotation::Axis { axis, degrees } => Quaternion::nearest(axis.clone(), degrees.clone())
+            .map_err(|error| Failure::usage(format!("convert: {error}"))),
+        Rotation::Quaternion(components) => Quaternion::from_rationals(components)
+            .ok_or_else(|| Failure::usage("convert: the quaternion of `--quat` is zero")),
+    }
+}
+
+/// Converts units, scales, reflects, rotates, moves, in this order; `None` if nothing of it is asked for.
+fn affine(units: Option<Rational>, motion: &Motion, quaternion: Option<&Quaternion>) -> Option<Affine3> {
+    let steps = [
+        units.as_ref().map(Affine3::scaling),
+        motion.scale.as_ref().map(Affine3::scaling),
+        motion.reflect.then(Affine3::reflection),
+        quaternion.map(Affine3::rotation),
+        motion.translate.as_ref().map(Affine3::translation),
+    ];
+    steps.into_iter().flatten().reduce(|map, next| map.then(&next))
 }

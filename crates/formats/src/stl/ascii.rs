@@ -27,6 +27,7 @@ pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<ReadModel, Locat
         bytes,
         scanner: Scanner::new(bytes),
         maker,
+        texts: HashMap::new(),
         welder,
         wide: HashMap::new(),
         objects: Vec::new(),
@@ -56,10 +57,15 @@ fn is(token: Token<'_>, keyword: &[u8]) -> bool {
     token.bytes.eq_ignore_ascii_case(keyword)
 }
 
+/// What an entry of the table of texts takes: a growing table has up to 16 places for 7 entries, and the one before it.
+const TEXT: u64 = 4 * size_of::<(&[u8], u32)>() as u64;
+
 struct Reader<'a, 'b> {
     bytes: &'a [u8],
     scanner: Scanner<'a>,
     maker: MeshMaker<'b>,
+    /// The vertices by what is written for them.
+    texts: HashMap<&'a [u8], u32>,
     /// The vertices that are narrow points.
     welder: Welder<[i64; 4]>,
     /// The others.
@@ -135,10 +141,26 @@ impl<'a> Reader<'a, '_> {
 
     /// Reads a position, and gives the index of its vertex.
     fn vertex(&mut self, line: u32) -> Result<u32, Located> {
-        let mut next = || self.next("a coordinate").and_then(read_coordinate);
-        let point = point([next()?, next()?, next()?]);
+        let expected = "a coordinate";
+        let first = self.next(expected)?;
+        let start = self.bytes.len() - self.scanner.remaining() - first.bytes.len();
+        let tokens = [first, self.next(expected)?, self.next(expected)?];
+        let text = &self.bytes[start..self.bytes.len() - self.scanner.remaining()];
+        // Each vertex is mentioned by each facet around it, mostly in the same words.
+        if let Some(&index) = self.texts.get(text) {
+            return Ok(index);
+        }
+        let [x, y, z] = tokens;
+        let point = point([read_coordinate(x)?, read_coordinate(y)?, read_coordinate(z)?]);
+        self.maker.budget().charge(TEXT).at_line(line)?;
+        let index = self.vertex_at(point, line)?;
+        self.texts.insert(text, index);
+        Ok(index)
+    }
+
+    fn vertex_at(&mut self, point: Point3, line: u32) -> Result<u32, Located> {
         // The coordinates are over their least common denominator: the point is canonical.
-        let Some(&key) = point.as_narrow() else { return self.wide_vertex(point, line) };
+        let Some(&key) = point.as_narrow() else { return self.wide_vertex_at(point, line) };
         match self.welder.find(&key) {
             Ok(index) => Ok(index),
             Err(free) => {
@@ -149,8 +171,7 @@ impl<'a> Reader<'a, '_> {
         }
     }
 
-    #[cold]
-    fn wide_vertex(&mut self, point: Point3, line: u32) -> Result<u32, Located> {
+    fn wide_vertex_at(&mut self, point: Point3, line: u32) -> Result<u32, Located> {
         let key = point.canonical_key();
         if let Some(&index) = self.wide.get(&key) {
             return Ok(index);

@@ -105,7 +105,7 @@ fn triangle(cycle: &[u32], format: Format) -> Result<[u32; 3], WriteError> {
 /// A name that ends with its line: a blank for each control character, and none at the ends.
 fn name_in_line(name: &str) -> String {
     let name: String = name.chars().map(|c| if c.is_control() { ' ' } else { c }).collect();
-    name.trim().to_string()
+    name.trim_ascii().to_string()
 }
 
 fn put_short(text: &mut Vec<u8>, component: f32) {

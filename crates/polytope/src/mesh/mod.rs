@@ -12,6 +12,8 @@ mod strict;
 mod summary;
 mod weld;
 
+pub(crate) use strict::squared_distance;
+
 pub use depth::hull_depth;
 pub use error::{MeshError, Note};
 pub use summary::MeshSummary;

@@ -1,0 +1,148 @@
+//! The boundary of a facet in its plane: corners in an order of the plane, edges, and where three corners turn.
+
+use exact::{Integer, Point3, Sign, Vector3, predicate};
+use std::cmp::Ordering;
+
+/// The corners of all cycles of a facet, one after the other, seen against a normal.
+pub(super) struct Outline<'a> {
+    points: &'a [Point3],
+    normal: Vector3,
+    /// The vertex of each corner.
+    pub(super) vertices: Vec<u32>,
+    /// The place of each corner in the order of the plane; corners at the same place share it.
+    pub(super) ranks: Vec<u32>,
+    pub(super) edges: Vec<Edge>,
+    /// The corners that are a cycle of their own.
+    pub(super) lone: Vec<u32>,
+}
+
+/// An edge of the boundary, between two corners.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Edge {
+    /// The end that comes first in the order of the plane.
+    pub(super) low: u32,
+    pub(super) high: u32,
+    /// Whether it runs from `low` to `high`; the facet lies above it then, and below it otherwise.
+    pub(super) forward: bool,
+}
+
+impl Edge {
+    pub(super) fn source(&self) -> u32 {
+        if self.forward { self.low } else { self.high }
+    }
+
+    pub(super) fn target(&self) -> u32 {
+        if self.forward { self.high } else { self.low }
+    }
+}
+
+impl<'a> Outline<'a> {
+    /// From cycles in the plane with that normal, or, if they are not planar, from their projection along it. The
+    /// normal must not be zero.
+    ///
+    /// # Errors
+    /// Two vertices that follow each other at the same place.
+    pub(super) fn new<'c>(
+        points: &'a [Point3],
+        normal: Vector3,
+        planar: bool,
+        cycles: impl IntoIterator<Item = &'c [u32]>,
+    ) -> Result<Self, [u32; 2]> {
+        let (mut vertices, mut lone, mut pairs) = (Vec::new(), Vec::new(), Vec::new());
+        for cycle in cycles {
+            let first = vertices.len() as u32;
+            vertices.extend_from_slice(cycle);
+            let end = vertices.len() as u32;
+            match cycle.len() {
+                0 => {}
+                1 => lone.push(first),
+                _ => pairs.extend((first..end).map(|c| [c, if c + 1 < end { c + 1 } else { first }])),
+            }
+        }
+        let mut outline = Self { points, normal, vertices, ranks: Vec::new(), edges: Vec::new(), lone };
+        outline.ranks = outline.ranked(planar);
+        for [source, target] in pairs {
+            let forward = match outline.rank(source).cmp(&outline.rank(target)) {
+                Ordering::Less => true,
+                Ordering::Greater => false,
+                Ordering::Equal => return Err([source, target].map(|c| outline.vertex(c))),
+            };
+            let (low, high) = if forward { (source, target) } else { (target, source) };
+            outline.edges.push(Edge { low, high, forward });
+        }
+        Ok(outline)
+    }
+
+    fn ranked(&self, planar: bool) -> Vec<u32> {
+        let directions = (!planar).then(|| self.directions());
+        let order = |&a: &u32, &b: &u32| {
+            let (a, b) = (self.point(a), self.point(b));
+            match &directions {
+                // The lexicographic order of space is one of any plane.
+                None => a.cmp(b),
+                Some([u, v]) => {
+                    let step = b.direction_to(a);
+                    predicate::same_direction(u, &step)
+                        .cmp(&Sign::Zero)
+                        .then_with(|| predicate::same_direction(v, &step).cmp(&Sign::Zero))
+                }
+            }
+        };
+        let mut sorted: Vec<u32> = (0..self.vertices.len() as u32).collect();
+        sorted.sort_by(order);
+        let mut ranks = vec![0; sorted.len()];
+        for (at, pair) in sorted.windows(2).enumerate() {
+            let step = u32::from(order(&pair[0], &pair[1]) == Ordering::Less);
+            debug_assert!(at + 1 < ranks.len());
+            ranks[pair[1] as usize] = ranks[pair[0] as usize] + step;
+        }
+        ranks
+    }
+
+    /// Two independent directions at right angles to the normal.
+    fn directions(&self) -> [Vector3; 2] {
+        let [x, y, z] = self.normal.coordinates();
+        let zero = Integer::from(0);
+        if !z.is_zero() {
+            [Vector3::new([z.clone(), zero.clone(), -x]), Vector3::new([zero, z, -y])]
+        } else if !y.is_zero() {
+            [Vector3::new([y, -x, zero.clone()]), Vector3::new([zero.clone(), zero, 1.into()])]
+        } else {
+            [Vector3::from_i64([0, 1, 0]), Vector3::from_i64([0, 0, 1])]
+        }
+    }
+
+    fn point(&self, corner: u32) -> &'a Point3 {
+        &self.points[self.vertices[corner as usize] as usize]
+    }
+
+    pub(super) fn vertex(&self, corner: u32) -> u32 {
+        self.vertices[corner as usize]
+    }
+
+    pub(super) fn rank(&self, corner: u32) -> u32 {
+        self.ranks[corner as usize]
+    }
+
+    pub(super) fn edge(&self, edge: u32) -> &Edge {
+        &self.edges[edge as usize]
+    }
+
+    /// The vertices of an edge, in the direction of its cycle.
+    pub(super) fn ends(&self, edge: u32) -> [u32; 2] {
+        let edge = self.edge(edge);
+        [edge.source(), edge.target()].map(|c| self.vertex(c))
+    }
+
+    /// The turn at corner `b` of the path `a`, `b`, `c`: positive to the left.
+    pub(super) fn turn(&self, a: u32, b: u32, c: u32) -> Sign {
+        let [a, b, c] = [a, b, c].map(|corner| self.point(corner));
+        predicate::orientation(&self.normal, &a.direction_to(b), &b.direction_to(c))
+    }
+
+    /// Where a corner lies of an edge that begins before it and does not end before it: positive above.
+    pub(super) fn side(&self, edge: u32, corner: u32) -> Sign {
+        let Edge { low, high, .. } = *self.edge(edge);
+        if self.rank(high) == self.rank(corner) { Sign::Zero } else { self.turn(low, high, corner) }
+    }
+}
