@@ -24,11 +24,48 @@ import trimesh
 
 # Volumes agree up to this part: files may hold 32-bit floats.
 PART = 1e-6
-# ADMesh adds up in single precision.
+# ADMesh adds up in single precision, and prints six decimals.
 COARSE_PART = 1e-4
+COARSE_DIGIT = 1e-6
 
 # The names that programs know a format by.
 ENDINGS = {"stl-ascii": "stl", "ply-ascii": "ply", "ply-big-endian": "ply"}
+
+
+# What programs are known not to read, with the facets it holds for. It is tried all the same: what begins to pass is a
+# failure until it is taken off this list.
+KNOWN = [
+    (
+        ["trimesh", "Manifold"],
+        ["off"],
+        lambda least, most: most > 4,
+        "trimesh reads OFF with facets of at most 4 corners; the files with triangles stand for these",
+    ),
+    (
+        ["trimesh", "Manifold"],
+        ["ply", "ply-big-endian"],
+        lambda least, most: least < most,
+        "trimesh reads binary PLY if all facets have the same number of corners; the files with triangles stand for these",
+    ),
+    (
+        ["assimp"],
+        ["off"],
+        lambda least, most: most > 9,
+        "assimp leaves out facets of OFF with more than 9 corners; the files with triangles stand for these",
+    ),
+    (
+        ["MeshLab"],
+        ["off"],
+        lambda least, most: most > 4,
+        "MeshLab cuts facets of OFF with more than 4 corners at wrong vertices; the files with triangles stand for these",
+    ),
+    (
+        ["MeshLab"],
+        ["ply-big-endian"],
+        lambda least, most: True,
+        "MeshLab does not turn round the bytes of doubles",
+    ),
+]
 
 
 class Skip(Exception):
@@ -62,8 +99,8 @@ def check_facts(mesh, entry):
     check_volume(mesh.volume, entry)
 
 
-def check_volume(volume, entry, part=PART):
-    if abs(volume - entry["volume"]) > part * abs(entry["volume"]):
+def check_volume(volume, entry, part=PART, digit=0):
+    if abs(volume - entry["volume"]) > part * abs(entry["volume"]) + digit:
         raise Fail(f"the volume is {volume!r}, not {entry['volume']!r}")
 
 
@@ -134,7 +171,7 @@ def by_admesh(path, entry):
     for name in ["Total disconnected facets", "Degenerate facets", "Edges fixed", "Facets reversed", "Backwards edges", "Normals fixed"]:
         if number(name) != 0:
             raise Fail(f"{name}: {number(name):g}")
-    check_volume(number("Volume"), entry, COARSE_PART)
+    check_volume(number("Volume"), entry, COARSE_PART, COARSE_DIGIT)
     return True
 
 
@@ -174,6 +211,29 @@ READERS = {
 }
 
 
+def known(reader, entry):
+    """Why this program is known not to read this file, if so."""
+    for readers, formats, holds, why in KNOWN:
+        if reader in readers and entry["format"] in formats and holds(*entry["corners"]):
+            return why
+    return None
+
+
+def ask(reader, check, path, entry):
+    """The result and the reason of it; no result where the program does not know the format at all."""
+    limit = known(reader, entry)
+    try:
+        if entry["alone"]:
+            raise Skip(entry["alone"])
+        if check(path, entry) is False:
+            return None, ""
+    except Skip as why:
+        return "skipped", str(why)
+    except Exception as why:  # programs fail in any way
+        return ("skipped", limit) if limit else ("failed", f"{type(why).__name__}: {why}")
+    return ("failed", f"it passes now, but is listed: {limit}") if limit else ("passed", "")
+
+
 def read(folder):
     with open(os.path.join(folder, "manifest.json"), encoding="utf-8") as file:
         manifest = json.load(file)
@@ -188,18 +248,9 @@ def read(folder):
                     shutil.copyfileobj(source, target)
                 path = name
             for reader, check in READERS.items():
-                answer = {"file": entry["file"], "row": entry["row"], "reader": reader}
-                try:
-                    if entry["alone"]:
-                        raise Skip(entry["alone"])
-                    if check(path, entry) is False:
-                        continue
-                    answer["result"] = "passed"
-                except Skip as why:
-                    answer |= {"result": "skipped", "why": str(why)}
-                except Exception as why:  # any program may fail in any way
-                    answer |= {"result": "failed", "why": f"{type(why).__name__}: {why}"}
-                report.append(answer)
+                result, why = ask(reader, check, path, entry)
+                if result:
+                    report.append({"file": entry["file"], "row": entry["row"], "reader": reader, "result": result, "why": why})
     return report
 
 

@@ -29,6 +29,9 @@ const MODELS: [&str; 11] = [
 /// This one is also written with gzip around every format.
 const PACKED: &str = "dp";
 
+/// Formats in which some programs read facets of few corners only, or only facets of the same number of corners.
+const FOR_TRIANGLES: [Format; 3] = [Format::Off, Format::Ply, Format::PlyBigEndian];
+
 /// The file that lists the others.
 pub(super) const MANIFEST: &str = "manifest.json";
 
@@ -36,6 +39,7 @@ pub(super) const MANIFEST: &str = "manifest.json";
 struct Subject {
     name: String,
     model: Model,
+    formats: &'static [Format],
     triangles: usize,
     volume: f64,
 }
@@ -49,7 +53,7 @@ pub(super) fn write(folder: &Path) -> Result<Vec<Row>, Failure> {
     let mut rows = Vec::new();
     let mut manifest = Vec::new();
     for subject in subjects()? {
-        for format in Format::ALL {
+        for &format in subject.formats {
             let mut encodings = vec![Encoding { format, gzip: false }];
             if subject.name == PACKED {
                 encodings.push(Encoding { format, gzip: true });
@@ -85,9 +89,14 @@ fn subjects() -> Result<Vec<Subject>, Failure> {
     for path in MODELS {
         let mesh = library::read(&shell::root().join("models").join(path))?;
         let stem = Path::new(path).file_stem().unwrap_or_default().to_string_lossy();
-        subjects.push(Subject::new(&stem, Model::of_mesh(mesh))?);
+        let mut corners = mesh.facets.iter().map(<[u32]>::len);
+        if !corners.all(|corners| corners == 3) {
+            let triangles = Model::of_mesh(mesh.triangulated()?);
+            subjects.push(Subject::new(&format!("{stem}.triangles"), triangles, &FOR_TRIANGLES)?);
+        }
+        subjects.push(Subject::new(&stem, Model::of_mesh(mesh), &Format::ALL)?);
     }
-    subjects.push(Subject::new("two_boxes", two_boxes()?)?);
+    subjects.push(Subject::new("two_boxes", two_boxes()?, &Format::ALL)?);
     Ok(subjects)
 }
 
@@ -144,12 +153,12 @@ fn has_only_triangles(format: Format) -> bool {
 }
 
 impl Subject {
-    fn new(name: &str, model: Model) -> Result<Self, Failure> {
+    fn new(name: &str, model: Model, formats: &'static [Format]) -> Result<Self, Failure> {
         let mesh = model.shape.mesh().ok_or("a model of the repository is a mesh")?;
         let volume =
             MeshSummary::of(mesh).volume.ok_or_else(|| format!("{name}: a model has a volume"))?.approx_f64();
         let triangles = mesh.facets.iter().map(|cycle| cycle.len() - 2).sum();
-        Ok(Self { name: name.to_owned(), model, triangles, volume })
+        Ok(Self { name: name.to_owned(), model, formats, triangles, volume })
     }
 
     /// Writes a file, reads it, compares, and describes it for the others.
@@ -174,13 +183,14 @@ impl Subject {
         let mut unpacked = options.clone();
         unpacked.encoding.gzip = false;
         let alone = alone(format, &formats::write(&self.model, &unpacked)?.bytes);
+        let corners = mesh.facets.iter().map(<[u32]>::len);
         Ok(json!({
             "file": file,
             "format": format.name(),
             "row": encoding_name(options.encoding),
             "gzip": gzip,
             "vertices": mesh.points.len(),
-            "facets": mesh.facets.len(),
+            "corners": [corners.clone().min(), corners.max()],
             "triangles": self.triangles,
             "volume": self.volume * scale.powi(3),
             "rounding": written.largest_rounding.approx_f64(),

@@ -2,9 +2,10 @@
 
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 use std::time::Instant;
 
-use serde_json::Value;
+use serde_json::{Value, json};
 
 use crate::{Failure, shell, solids};
 
@@ -14,6 +15,8 @@ const TRIANGLES: usize = 1_000_000;
 const FREQUENCY: usize = 224;
 /// The fastest of this many runs counts.
 const RUNS: usize = 5;
+/// And of this many where the numbers are only printed.
+const ROUGH_RUNS: usize = 2;
 
 /// The fastest times in seconds.
 #[derive(Debug)]
@@ -25,21 +28,28 @@ pub(super) struct Times {
     pub(super) raw: f64,
 }
 
-/// Times a release build of ours and the script with that Python, one after the other.
+/// Which build of ours is timed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Build {
+    /// One for release, made here.
+    Release,
+    /// This program itself, with its overflow checks; the numbers are rough ones.
+    This,
+}
+
+/// Times ours and the script with that Python, one after the other.
 ///
 /// # Errors
 /// If the file cannot be written, if one of them fails, or if they do not find the same vertices and triangles.
-pub(super) fn times(folder: &Path, mut script: std::process::Command) -> Result<Times, Failure> {
+pub(super) fn times(folder: &Path, mut script: Command, build: Build) -> Result<Times, Failure> {
     let file = folder.join("million.stl");
     fs::write(&file, sphere())?;
-    println!("building for release ...");
-    let mut build = shell::cargo();
-    shell::output(build.args(["build", "--release", "--quiet", "--package", "xtask"]))?;
-    let mut ours = shell::cargo();
-    ours.args(["run", "--release", "--quiet", "--package", "xtask", "--", "readers-time"]).arg(&file);
-    let ours: Value = serde_json::from_str(shell::output(&mut ours)?.trim())?;
+    let (ours, runs) = match build {
+        Build::Release => (release(&file)?, RUNS),
+        Build::This => (fastest(&file, ROUGH_RUNS)?, ROUGH_RUNS),
+    };
     let theirs: Value =
-        serde_json::from_str(shell::output(script.arg("time").arg(&file).arg(RUNS.to_string()))?.trim())?;
+        serde_json::from_str(shell::output(script.arg("time").arg(&file).arg(runs.to_string()))?.trim())?;
     for what in ["triangles", "vertices"] {
         if ours[what] != theirs[what] {
             return Err(format!(
@@ -59,24 +69,41 @@ pub(super) fn times(folder: &Path, mut script: std::process::Command) -> Result<
     })
 }
 
-/// Reads the file several times, from the disk on, and prints the fastest time with the counts.
+/// What [`time`] prints in a build for release.
+fn release(file: &Path) -> Result<Value, Failure> {
+    println!("building for release ...");
+    let cargo = |words: &[&str]| {
+        let mut command = shell::cargo();
+        command.args(words).args(["--release", "--quiet", "--package", "xtask"]);
+        command
+    };
+    shell::output(&mut cargo(&["build"]))?;
+    Ok(serde_json::from_str(shell::output(cargo(&["run"]).args(["--", "readers-time"]).arg(file))?.trim())?)
+}
+
+/// Reads the file several times and prints the fastest time with the counts.
 ///
 /// # Errors
 /// If it cannot be read.
 pub(crate) fn time(path: &str) -> Result<(), Failure> {
+    println!("{}", fastest(Path::new(path), RUNS)?);
+    Ok(())
+}
+
+/// The fastest time from the disk to the model, with the counts.
+fn fastest(path: &Path, runs: usize) -> Result<Value, Failure> {
     let mut best = f64::INFINITY;
     let mut counts = [0; 2];
-    for _ in 0..RUNS {
+    for _ in 0..runs {
         let begin = Instant::now();
         let bytes = fs::read(path)?;
-        let read = formats::read(&bytes, Some(path))?;
+        let read = formats::read(&bytes, Some("million.stl"))?;
         best = best.min(begin.elapsed().as_secs_f64());
         let mesh = read.model.shape.mesh().ok_or("it is no mesh")?;
         counts = [mesh.points.len(), mesh.facets.len()];
     }
     let [vertices, triangles] = counts;
-    println!("{}", serde_json::json!({ "seconds": best, "vertices": vertices, "triangles": triangles }));
-    Ok(())
+    Ok(json!({ "seconds": best, "vertices": vertices, "triangles": triangles }))
 }
 
 /// A part of a sphere as binary STL, written without our writer.

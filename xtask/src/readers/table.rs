@@ -46,12 +46,17 @@ impl Row {
 pub(super) fn print(rows: &[Row]) {
     let lines = in_order(rows.iter().map(|row| row.line.as_str()));
     let readers = in_order(rows.iter().map(|row| row.reader.as_str()));
+    let column = 26;
     let width = lines.iter().map(|line| line.len()).max().unwrap_or(0);
-    println!("\n{:width$}  {}", "", readers.iter().map(|name| format!("{name:>20}")).collect::<String>());
+    println!(
+        "\n{:width$}  {}",
+        "",
+        readers.iter().map(|name| format!("{name:>column$}")).collect::<String>()
+    );
     for line in lines {
         let words = readers.iter().map(|reader| {
             let cells = rows.iter().filter(|row| row.line == line && row.reader == *reader);
-            format!("{:>20}", words(cells))
+            format!("{:>column$}", words(cells))
         });
         println!("{line:width$}  {}", words.collect::<String>());
     }
