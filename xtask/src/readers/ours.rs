@@ -89,8 +89,7 @@ fn subjects() -> Result<Vec<Subject>, Failure> {
     for path in MODELS {
         let mesh = library::read(&shell::root().join("models").join(path))?;
         let stem = Path::new(path).file_stem().unwrap_or_default().to_string_lossy();
-        let mut corners = mesh.facets.iter().map(<[u32]>::len);
-        if !corners.all(|corners| corners == 3) {
+        if mesh.facets.iter().any(|cycle| cycle.len() != 3) {
             let triangles = Model::of_mesh(mesh.triangulated()?);
             subjects.push(Subject::new(&format!("{stem}.triangles"), triangles, &FOR_TRIANGLES)?);
         }
@@ -183,14 +182,14 @@ impl Subject {
         let mut unpacked = options.clone();
         unpacked.encoding.gzip = false;
         let alone = alone(format, &formats::write(&self.model, &unpacked)?.bytes);
-        let corners = mesh.facets.iter().map(<[u32]>::len);
+        let corners = || mesh.facets.iter().map(<[u32]>::len);
         Ok(json!({
             "file": file,
             "format": format.name(),
             "row": encoding_name(options.encoding),
             "gzip": gzip,
             "vertices": mesh.points.len(),
-            "corners": [corners.clone().min(), corners.max()],
+            "corners": [corners().min(), corners().max()],
             "triangles": self.triangles,
             "volume": self.volume * scale.powi(3),
             "rounding": written.largest_rounding.approx_f64(),
