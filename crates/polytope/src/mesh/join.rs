@@ -40,17 +40,19 @@ impl Joined {
     }
 }
 
-/// Joins what is flat. Facets that are not planar, or have two vertices only, stay as they are.
+/// Joins what is flat, if any facet has area. Facets that are not planar, or have two vertices only, stay as they are.
 ///
 /// # Complexity
 /// `n log n`; for a facet that is several by itself, its outer cycles times its holes.
 pub(super) fn join(mut compact: Compact) -> Joined {
+    let has_area = |cycle: &[u32]| !matches!(Shape::of(&compact.points, cycle), Shape::Line);
+    if !compact.facets.iter().any(has_area) {
+        return Joined { compact, hole_facets: Vec::new(), holes: Facets::new() };
+    }
     compact.contract();
     let mut shapes: Vec<Shape> =
         compact.facets.iter().map(|cycle| Shape::of(&compact.points, cycle)).collect();
-    if shapes.iter().any(|shape| !matches!(shape, Shape::Line)) {
-        slack::take_out(&mut compact, &mut shapes);
-    }
+    slack::take_out(&mut compact, &mut shapes);
     let mut cycles = Boundaries { compact: &compact, shapes: &shapes }.cycles();
     straighten(&compact.points, &mut cycles);
     collect(compact, &cycles)
