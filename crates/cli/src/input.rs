@@ -34,7 +34,8 @@ impl Operand {
             Place::Standard => read_stream(&mut io::stdin().lock(), &name, None)?,
             Place::File(path) => read_file(path, &name, file_name.as_deref())?,
         };
-        let read = formats::read(&bytes, file_name.as_deref()).map_err(|error| Failure::read(&name, &error))?;
+        let read =
+            formats::read(&bytes, file_name.as_deref()).map_err(|error| Failure::read(&name, &error))?;
         console.step_done();
         let name = part_name(&name, read.places.part.as_deref());
         Ok(Self { name, read })
@@ -95,7 +96,7 @@ fn read_file(path: &Path, name: &str, file_name: Option<&str>) -> Result<Vec<u8>
 }
 
 /// A stream may have no end: it is read on only if its start may be a file.
-fn read_stream(stream: &mut dyn Read, name: &str, file_name: Option<&str>) -> Result<Vec<u8>, Failure> {
+fn read_stream(stream: &mut impl Read, name: &str, file_name: Option<&str>) -> Result<Vec<u8>, Failure> {
     let failed = |error: io::Error| Failure::file(name, None, cannot_read(&error));
     let mut bytes = Vec::new();
     stream.by_ref().take(START).read_to_end(&mut bytes).map_err(failed)?;

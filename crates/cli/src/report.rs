@@ -3,7 +3,7 @@
 use crate::failure::one_line;
 use serde::Serialize;
 use splitstar::exact::{Point3, Rational};
-use splitstar::formats::{Format, Model, Unit};
+use splitstar::formats::{Complex, Format, Model, Unit};
 use splitstar::polytope::{Bounds, MeshSummary, PolygonMesh, Polytope};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
@@ -18,6 +18,8 @@ pub(crate) struct Report {
     filed: Option<Filed>,
     #[serde(flatten, skip_serializing_if = "Option::is_none")]
     file: Option<FileFacts>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    complex: Option<CellFacts>,
     dimension: Option<u8>,
     convex: bool,
     closed: bool,
@@ -42,6 +44,24 @@ struct FileFacts {
     format: &'static str,
     unit: Option<&'static str>,
     objects: Vec<String>,
+}
+
+/// What only a complex of cells has.
+#[derive(Serialize)]
+struct CellFacts {
+    directions: usize,
+    holes: usize,
+    volumes: usize,
+    bounded: bool,
+    unmarked: Unmarked,
+}
+
+#[derive(Serialize)]
+struct Unmarked {
+    vertices: usize,
+    edges: usize,
+    facets: usize,
+    volumes: usize,
 }
 
 #[derive(Serialize)]
@@ -78,6 +98,7 @@ impl Report {
             facets: summary.facets,
             filed: None,
             file: None,
+            complex: None,
             dimension: summary.dimension,
             convex: summary.convex,
             closed: summary.closed,
@@ -93,6 +114,34 @@ impl Report {
         Self::of_summary(&MeshSummary::of(mesh))
     }
 
+    /// The cells are those of the complex; what is said of surfaces and volume is that of its regular part.
+    pub(crate) fn of_complex(complex: &Complex) -> Self {
+        let regular = MeshSummary::of(&complex.regular_part().unwrap_or_default());
+        let facts = complex.summary();
+        let unmarked = Unmarked {
+            vertices: facts.unmarked.vertices,
+            edges: facts.unmarked.edges,
+            facets: facts.unmarked.facets,
+            volumes: facts.unmarked.volumes,
+        };
+        let points: Vec<Point3> = complex.points().cloned().collect();
+        Self {
+            vertices: facts.vertices,
+            edges: facts.edges,
+            facets: facts.facets,
+            complex: Some(CellFacts {
+                directions: facts.directions,
+                holes: facts.holes,
+                volumes: facts.volumes,
+                bounded: facts.bounded,
+                unmarked,
+            }),
+            dimension: facts.dimension,
+            bounds: Bounds::of(&points).filter(|_| facts.bounded).as_ref().map(Corners::of),
+            ..Self::of_summary(&regular)
+        }
+    }
+
     /// What a polytope is needs no search.
     pub(crate) fn of_polytope(polytope: &Polytope) -> Self {
         let counts = polytope.counts();
@@ -102,6 +151,7 @@ impl Report {
             facets: counts.facets,
             filed: None,
             file: None,
+            complex: None,
             dimension: Some(polytope.dimension()),
             convex: true,
             closed: true,
@@ -156,6 +206,17 @@ impl Report {
         row("vertices", &format_args!("{}{vertices}", self.vertices));
         row("edges", &self.edges);
         row("facets", &format_args!("{}{facets}", self.facets));
+        if let Some(CellFacts { directions, holes, volumes, bounded, unmarked }) = &self.complex {
+            row("directions", directions);
+            row("holes", holes);
+            row("volumes", volumes);
+            row("bounded", &yes(*bounded));
+            let Unmarked { vertices, edges, facets, volumes } = unmarked;
+            row(
+                "unmarked",
+                &format_args!("vertices {vertices}, edges {edges}, facets {facets}, volumes {volumes}"),
+            );
+        }
         row("dimension", &self.dimension.map_or("none".to_string(), |d| d.to_string()));
         row("convex", &yes(self.convex));
         row("closed", &yes(self.closed));

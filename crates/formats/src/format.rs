@@ -104,7 +104,8 @@ impl Format {
         match self {
             Self::Off | Self::Ply | Self::PlyBigEndian | Self::PlyAscii => mesh,
             Self::Obj | Self::Vrml => Abilities { objects: true, ..mesh },
-            Self::Stl | Self::StlAscii => Abilities { polygons: false, points: false, ..mesh },
+            Self::Stl => Abilities { polygons: false, points: false, ..mesh },
+            Self::StlAscii => Abilities { polygons: false, points: false, objects: true, ..mesh },
             Self::ThreeMf => Abilities { polygons: false, points: false, objects: true, unit: true },
             // Its unit is the meter: a model with a unit is scaled.
             Self::Glb => Abilities { polygons: false, objects: true, unit: true, ..mesh },
@@ -125,7 +126,9 @@ impl Format {
         if start.starts_with(b"glTF") {
             return Content::Known(Self::Glb);
         }
-        if start.starts_with(b"ply") && matches!(start.get(3), Some(b'\n' | b'\r' | b' ')) {
+        if start.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(start).starts_with(b"ply")
+            && matches!(start.iter().find(|byte| !b"\xEF\xBB\xBFply".contains(byte)), Some(b'\n' | b'\r' | b' ' | b'\t'))
+        {
             return Content::Known(Self::Ply);
         }
         if crate::stl::is_binary(start, length) {
@@ -137,7 +140,7 @@ impl Format {
         let Some(word) = Scanner::new(start).token() else { return Content::Unknown };
         match word.bytes {
             b"star" => Content::Known(Self::Star),
-            b"solid" => Content::Known(Self::StlAscii),
+            word if word.eq_ignore_ascii_case(b"solid") => Content::Known(Self::StlAscii),
             b"v" | b"vn" | b"vt" | b"vp" | b"f" | b"l" | b"p" | b"o" | b"g" | b"s" | b"mtllib"
             | b"usemtl" => Content::Known(Self::Obj),
             word if word.ends_with(b"OFF") => Content::Known(Self::Off),

@@ -43,7 +43,9 @@ mod write;
 pub use base::error::{Count, Fault, NumberFault, ReadError};
 pub use base::model::{Kind, Model, Object, ReadModel, ReadNote, Shape, Unit};
 pub use base::places::{Place, PlaceList, Places};
-pub use complex::{Complex, Edge, Facet, Loss, Position, Vertex};
+pub use complex::{
+    Cell, Complex, ComplexSummary, Edge, Facet, Loss, Malformed, Position, Rule, UnmarkedCells, Vertex,
+};
 pub use format::{Encoding, Format};
 pub use read::{check_start, read};
-pub use write::{WriteError, WriteNote, WriteOptions, Written, write};
+pub use write::{WriteError, WriteNote, WriteOptions, Written, objects_of_triangles, write};

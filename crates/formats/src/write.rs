@@ -2,11 +2,11 @@
 
 use crate::base::model::{Kind, Model, Object, Shape, Unit};
 use crate::base::numerals::{Numerals, Rounding, TooLarge};
-use crate::complex::Loss;
+use crate::complex::{Loss, Malformed};
 use crate::format::{Encoding, Format};
 use crate::{gltf, gzip, obj, off, ply, star, stl, threemf, vrml};
 use exact::Rational;
-use polytope::{PolygonMesh, TriangulateError};
+use polytope::{HoleError, PolygonMesh, TriangulateError};
 use std::borrow::Cow;
 use std::fmt;
 
@@ -59,6 +59,13 @@ pub enum WriteNote {
     NoObjects(usize),
     /// Left out, because it was allowed.
     LeftOut(Loss),
+    /// The format has no holes, and cutting facets was allowed.
+    CutHoles {
+        /// The number of facets with holes.
+        from: usize,
+        /// The number of triangles.
+        to: usize,
+    },
 }
 
 /// Why a model cannot be written as asked.
@@ -84,6 +91,17 @@ pub enum WriteError {
     },
     /// What is left is not bounded, so that no mesh can hold it.
     Unbounded,
+    /// Nothing is left: the set has no inner points, and a mesh can hold nothing else of it.
+    NothingLeft,
+    /// A cell is against the rules of a complex.
+    Malformed(Malformed),
+    /// A facet with holes cannot be cut into triangles.
+    CutHoles {
+        /// The index of the facet.
+        facet: usize,
+        /// Why.
+        error: HoleError,
+    },
     /// A facet cannot be cut into triangles, and the format has nothing else.
     Triangulate(TriangulateError),
     /// A count has no room in the format.
@@ -160,10 +178,10 @@ pub fn write(model: &Model, options: &WriteOptions) -> Result<Written, WriteErro
     let mut notes = Vec::new();
     let body = match &model.shape {
         Shape::Complex(complex) if format == Format::Star => star::write_complex(complex, model, options)?,
-        Shape::Mesh(mesh) => write_mesh(mesh, model, options, &mut notes)?,
+        Shape::Mesh(mesh) => write_mesh(mesh, &model.objects, model.unit, options, &mut notes)?,
         Shape::Complex(complex) => {
-            let mesh = complex.to_mesh(format, options.lossy, &mut notes)?;
-            write_mesh(&mesh, model, options, &mut notes)?
+            let (mesh, objects) = complex.to_mesh(&model.objects, format, options.lossy, &mut notes)?;
+            write_mesh(&mesh, &objects, model.unit, options, &mut notes)?
         }
     };
     let bytes = if gzip { gzip::pack(&body.bytes) } else { body.bytes };
@@ -172,7 +190,8 @@ pub fn write(model: &Model, options: &WriteOptions) -> Result<Written, WriteErro
 
 fn write_mesh(
     mesh: &PolygonMesh,
-    model: &Model,
+    named: &[Object],
+    unit: Option<Unit>,
     options: &WriteOptions,
     notes: &mut Vec<WriteNote>,
 ) -> Result<Body, WriteError> {
@@ -183,20 +202,20 @@ fn write_mesh(
         return Err(WriteError::NoFacets { format });
     }
     let mut mesh = Cow::Borrowed(mesh);
-    let mut objects = Cow::Borrowed(&model.objects);
+    let mut objects = Cow::Borrowed(named);
     if !can.polygons && polygons && mesh.facets.iter().any(|cycle| cycle.len() > 3) {
         let triangles = mesh.triangulated().map_err(WriteError::Triangulate)?;
         notes.push(WriteNote::Triangulated { from: mesh.facets.len(), to: triangles.facets.len() });
-        objects = Cow::Owned(model.objects.iter().map(|object| triangulated(object, &mesh)).collect());
+        objects_of_triangles(objects.to_mut(), &mesh);
         mesh = Cow::Owned(triangles);
     }
-    if !can.objects && model.objects.len() > 1 {
-        notes.push(WriteNote::NoObjects(model.objects.len()));
+    if !can.objects && named.len() > 1 {
+        notes.push(WriteNote::NoObjects(named.len()));
     }
-    if let (false, Some(unit)) = (can.unit, model.unit) {
+    if let (false, Some(unit)) = (can.unit, unit) {
         notes.push(WriteNote::NoUnit(unit));
     }
-    let task = Task { mesh: &mesh, objects: &objects, unit: model.unit, float: options.float };
+    let task = Task { mesh: &mesh, objects: &objects, unit, float: options.float };
     match format {
         Format::Off => off::write(&task),
         Format::Obj => obj::write(&task),
@@ -210,11 +229,18 @@ fn write_mesh(
     }
 }
 
-/// Each facet of k corners has become k - 2 triangles.
-fn triangulated(object: &Object, mesh: &PolygonMesh) -> Object {
-    let before = mesh.facets.iter().take(object.first_facet as usize);
-    let first_facet = before.map(|cycle| cycle.len().max(3) as u32 - 2).sum();
-    Object { name: object.name.clone(), first_facet }
+/// Moves objects to the triangles that [`PolygonMesh::triangulated`] makes of the facets of a mesh: k - 2 of k corners.
+pub fn objects_of_triangles(objects: &mut [Object], mesh: &PolygonMesh) {
+    let mut starts = Vec::with_capacity(mesh.facets.len() + 1);
+    let mut start = 0;
+    for cycle in mesh.facets.iter() {
+        starts.push(start);
+        start += cycle.len().max(3) as u32 - 2;
+    }
+    starts.push(start);
+    for object in objects {
+        object.first_facet = starts.get(object.first_facet as usize).copied().unwrap_or(start);
+    }
 }
 
 impl fmt::Display for WriteNote {
@@ -228,6 +254,9 @@ impl fmt::Display for WriteNote {
                 write!(f, "the format has no objects: {objects} are written as one, without their names")
             }
             Self::LeftOut(loss) => write!(f, "left out: {loss}"),
+            Self::CutHoles { from, to } => {
+                write!(f, "the format has no holes: {from} facets with holes cut into {to} triangles")
+            }
         }
     }
 }
@@ -254,6 +283,13 @@ impl fmt::Display for WriteError {
             }
             Self::Unbounded => {
                 f.write_str("the set is unbounded, and only star can hold it; write star, or cut it off")
+            }
+            Self::NothingLeft => {
+                f.write_str("the set has no inner points, so that no mesh is left of it; write star")
+            }
+            Self::Malformed(malformed) => write!(f, "{malformed}"),
+            Self::CutHoles { facet, error } => {
+                write!(f, "the format has no holes, and facet {facet} cannot be cut: {error}; write star")
             }
             Self::Triangulate(error) => {
                 write!(f, "the format has triangles only, and {error}; write OFF, OBJ, PLY or star")

@@ -2,12 +2,13 @@
 
 use super::{Job, Outcome};
 use crate::args::{Motion, Rotation, Run};
-use crate::explain::mesh_error;
+use crate::console::Console;
+use crate::explain::{mesh_error, triangles_error};
 use crate::failure::Failure;
 use crate::input::Operand;
 use splitstar::exact::{Affine3, Quaternion, Rational};
-use splitstar::formats::{Complex, Model, Shape, Unit};
-use splitstar::polytope::{Mending, PolygonMesh, TriangulateError};
+use splitstar::formats::{self, Complex, Facet, Model, Object, Shape, Unit, Vertex};
+use splitstar::polytope::{Mended, Mending, PolygonMesh, TriangulateError};
 
 pub(crate) fn convert(run: &Run) -> Result<(), Failure> {
     let quaternion = run.motion.rotation.as_ref().map(quaternion).transpose()?;
@@ -25,8 +26,105 @@ pub(crate) fn convert(run: &Run) -> Result<(), Failure> {
         Shape::Complex(complex) => complex_shape(complex, operand, run)?,
     };
     if let Some(map) = affine(units, &run.motion, quaternion.as_ref()) {
-        model.shape = model.shape.transformed(&map);
+        model.shape = model.shape.transformed(&map).expect("no step of a motion flattens space");
     }
     model.unit = run.unit.or(model.unit);
     job.finish(&Outcome { model, polytope: None, method: "convert", quaternion })
+}
+
+/// A mesh mended, and cut into triangles or joined where that is wanted. Objects move with their facets.
+fn mesh_shape(
+    filed: PolygonMesh,
+    objects: &mut [Object],
+    operand: &Operand,
+    run: &Run,
+    console: &Console,
+) -> Result<Shape, Failure> {
+    let mut notes = Vec::new();
+    let what = Mending { join: run.join };
+    // Triangles come first: they are the way out for facets that are not planar.
+    let mended = if run.triangulate {
+        let triangles = triangulated(&filed, operand)?;
+        formats::objects_of_triangles(objects, &filed);
+        triangles.mended(what, &mut notes).map_err(|error| triangles_error(&error, operand, &filed))
+    } else {
+        filed.mended(what, &mut notes).map_err(|error| mesh_error(&error, operand))
+    };
+    let mended = mended.map_err(|(place, what)| {
+        operand.failure(place, format!("{what}; --triangulate cuts it into triangles"))
+    })?;
+    for note in notes {
+        console.note(&operand.name, None, &note.to_string());
+    }
+    for object in objects {
+        let is_before = |&origin: &u32| origin < object.first_facet;
+        object.first_facet = mended.facet_origin.partition_point(is_before) as u32;
+    }
+    Ok(shape_of(mended))
+}
+
+/// Facets with holes make a complex of cells.
+fn shape_of(mended: Mended) -> Shape {
+    if mended.holes.is_empty() {
+        return Shape::Mesh(mended.mesh);
+    }
+    let mut complex = Complex::default();
+    for (f, cycle) in mended.mesh.facets.iter().enumerate() {
+        let mut facet = Facet::of_cycle(cycle.to_vec(), [0, 1]);
+        facet.holes = mended.holes_of(f).iter().map(|hole| hole.cycle.clone()).collect();
+        complex.facets.push(facet);
+    }
+    complex.vertices = mended.mesh.points.into_iter().map(Vertex::point).collect();
+    Shape::Complex(complex)
+}
+
+/// A mesh cut into triangles; a failure names the facet.
+pub(super) fn triangulated(mesh: &PolygonMesh, operand: &Operand) -> Result<PolygonMesh, Failure> {
+    mesh.triangulated().map_err(|error| {
+        let what = match error {
+            TriangulateError::NoArea { .. } => "the facet encloses no area; remove it",
+            _ => "the boundary of the facet crosses or touches itself; cut it by hand",
+        };
+        operand.failure(operand.facet_place(error.facet()), what)
+    })
+}
+
+fn complex_shape(complex: Complex, operand: &Operand, run: &Run) -> Result<Shape, Failure> {
+    let option = match (run.join, run.triangulate) {
+        (true, _) => "--join",
+        (_, true) => "--triangulate",
+        _ => return Ok(Shape::Complex(complex)),
+    };
+    Err(operand.failure(
+        None,
+        format!(
+            "{option} is for meshes, and this is a complex of cells; --lossy with a mesh format makes it one"
+        ),
+    ))
+}
+
+/// The factor that takes lengths in one unit to another.
+fn unit_scale(from: Unit, to: Unit) -> Rational {
+    &from.meters() * &to.meters().recip().expect("no unit is zero")
+}
+
+fn quaternion(rotation: &Rotation) -> Result<Quaternion, Failure> {
+    match rotation {
+        Rotation::Axis { axis, degrees } => Quaternion::nearest(axis.clone(), degrees.clone())
+            .map_err(|error| Failure::usage(format!("convert: {error}"))),
+        Rotation::Quaternion(components) => Quaternion::from_rationals(components)
+            .ok_or_else(|| Failure::usage("convert: the quaternion of `--quat` is zero")),
+    }
+}
+
+/// Converts units, scales, reflects, rotates, moves, in this order; `None` if nothing of it is asked for.
+fn affine(units: Option<Rational>, motion: &Motion, quaternion: Option<&Quaternion>) -> Option<Affine3> {
+    let steps = [
+        units.as_ref().map(Affine3::scaling),
+        motion.scale.as_ref().map(Affine3::scaling),
+        motion.reflect.then(Affine3::reflection),
+        quaternion.map(Affine3::rotation),
+        motion.translate.as_ref().map(Affine3::translation),
+    ];
+    steps.into_iter().flatten().reduce(|map, next| map.then(&next))
 }

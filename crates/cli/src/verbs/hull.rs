@@ -14,7 +14,8 @@ pub(crate) fn hull(run: &Run) -> Result<(), Failure> {
         if let Shape::Complex(complex) = &operand.read.model.shape
             && complex.has_directions()
         {
-            return Err(operand.failure(None, "it has vertices at infinity, and a convex hull is bounded; remove them"));
+            return Err(operand
+                .failure(None, "it has vertices at infinity, and a convex hull is bounded; remove them"));
         }
         points.extend(operand.read.model.shape.points().cloned());
     }

@@ -99,6 +99,16 @@ pub enum Fault {
     },
     /// A facet has two vertices, and another has more.
     SegmentBesidePolygons,
+    /// A line ends too early.
+    LineEnds {
+        /// What was expected there: a noun.
+        expected: String,
+    },
+    /// A cell is against the rules of the format.
+    Malformed {
+        /// What is wrong and what to do: a sentence without its full stop.
+        why: String,
+    },
     /// The file ends too early.
     Truncated {
         /// What was expected there: a clause.
@@ -276,6 +286,10 @@ impl fmt::Display for Fault {
             Self::SegmentBesidePolygons => {
                 f.write_str("a facet of two vertices beside polygons; remove it, or give it a third vertex")
             }
+            Self::LineEnds { expected } => {
+                write!(f, "the line ends where {expected} was expected; complete it")
+            }
+            Self::Malformed { why } => f.write_str(why),
             Self::Truncated { expected } => {
                 write!(f, "the file ends where {expected}; complete it, or correct the counts")
             }

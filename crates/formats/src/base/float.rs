@@ -33,8 +33,8 @@ fn half_way(double: f64) -> Option<[f32; 2]> {
         Ordering::Greater => [single.next_down(), single],
     };
     // Both differences are exact: each is less than the step of the floats, in bits that the double has.
-    let middle = double - wide(below) == wide(above) - double;
-    middle.then_some([below, above])
+    let (to_below, to_above) = (double - wide(below), wide(above) - double);
+    (to_below.partial_cmp(&to_above) == Some(Ordering::Equal)).then_some([below, above])
 }
 
 /// The same number; infinity is what would follow the largest float if the exponents went on.

@@ -135,10 +135,12 @@ impl Shape {
     }
 
     /// The same cells under an affine map; cycles are turned round if the map reflects.
-    pub fn transformed(&self, map: &Affine3) -> Self {
+    ///
+    /// `None` if the map takes the direction of an unbounded cell to zero, as only maps do that flatten space.
+    pub fn transformed(&self, map: &Affine3) -> Option<Self> {
         match self {
-            Self::Mesh(mesh) => Self::Mesh(mesh.transformed(map)),
-            Self::Complex(complex) => Self::Complex(complex.transformed(map)),
+            Self::Mesh(mesh) => Some(Self::Mesh(mesh.transformed(map))),
+            Self::Complex(complex) => complex.transformed(map).map(Self::Complex),
         }
     }
 

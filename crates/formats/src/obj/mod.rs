@@ -1,14 +1,9 @@
-//! Wavefront OBJ.
+//! Wavefront OBJ: statements of a line each, vertices and the facets between them.
 
-use crate::base::budget::Budget;
-use crate::base::error::Located;
-use crate::base::model::ReadModel;
-use crate::write::{Body, Task, WriteError};
+mod corner;
+mod read;
+mod statement;
+mod write;
 
-pub(crate) fn read(_bytes: &[u8], _budget: &mut Budget) -> Result<ReadModel, Located> {
-    unimplemented!()
-}
-
-pub(crate) fn write(_task: &Task<'_>) -> Result<Body, WriteError> {
-    unimplemented!()
-}
+pub(crate) use read::read;
+pub(crate) use write::write;

@@ -1,6 +1,5 @@
 //! The body of a binary PLY file.
 
-use super::double::point_of_doubles;
 use super::header::{Element, Header, Role, Step};
 use super::scalar::Scalar;
 use crate::base::budget::Budget;
@@ -10,6 +9,7 @@ use crate::base::model::ReadModel;
 use crate::base::places::{Place, PlaceList};
 use crate::base::scan::Token;
 use crate::format::Format;
+use exact::Point3;
 
 /// Reads the elements behind a header.
 pub(super) fn read(bytes: &[u8], header: &Header<'_>, budget: &mut Budget) -> Result<ReadModel, Located> {
@@ -163,7 +163,7 @@ impl<'a> Cursor<'a> {
             let floats = record
                 .fields
                 .map(|(at, scalar)| scalar.float(&self.bytes[at..at + scalar.size()], self.big_endian));
-            let Some(point) = point_of_doubles(floats) else {
+            let Some(point) = Point3::from_f64s(floats) else {
                 return Err(not_finite(&record, floats));
             };
             maker.vertex(point, place).at(place)?;

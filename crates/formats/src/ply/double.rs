@@ -1,16 +1,10 @@
-//! Points to doubles and back.
+//! Points to doubles.
 
 use crate::base::numerals::{Rounding, TooLarge};
 use exact::{Point3, Rational};
 
-/// The point with these coordinates, each the dyadic rational that its double is; `None` if one is not finite.
-pub(super) fn point_of_doubles([x, y, z]: [f64; 3]) -> Option<Point3> {
-    let rational = |double| Rational::try_from(double).ok();
-    Some(Point3::from_rationals(&[rational(x)?, rational(y)?, rational(z)?]))
-}
-
-/// Rounds the coordinates of a point to the nearest doubles, and keeps the largest rounding. Zero, and what rounds to
-/// it, has no sign.
+/// Rounds the coordinates of a point to the nearest doubles, and keeps the largest rounding. Zero, and what
+/// rounds to it, has no sign.
 pub(super) fn nearest_doubles(point: &Point3, rounding: &mut Rounding) -> Result<[f64; 3], TooLarge> {
     let doubles = point.approx_f64().map(|double| double + 0.0);
     if doubles.iter().any(|double| !double.is_finite()) {
@@ -28,11 +22,15 @@ pub(super) fn nearest_doubles(point: &Point3, rounding: &mut Rounding) -> Result
     Ok(doubles)
 }
 
-/// Whether all coordinates are doubles, as far as machine words tell: numerators of at most 53 bits over a power of
-/// two, whose exponents lie between -61 and 61.
+/// Whether all coordinates are doubles, as far as machine words tell: numerators over a power of two, each
+/// with at most 53 binary digits between its first one and its last. Their exponents lie between -61 and 61.
 fn is_exact(point: &Point3) -> bool {
     let Some(&[x, y, z, weight]) = point.as_narrow() else { return false };
-    weight & (weight - 1) == 0 && [x, y, z].iter().all(|value| value.unsigned_abs() <= 1 << 53)
+    let fits = |value: i64| {
+        let magnitude = value.unsigned_abs();
+        value == 0 || magnitude >> magnitude.trailing_zeros() < 1 << 53
+    };
+    weight & (weight - 1) == 0 && fits(x) && fits(y) && fits(z)
 }
 
 #[cfg(test)]
@@ -65,13 +63,11 @@ mod tests {
 
     #[test]
     fn doubles_come_back() {
-        for doubles in [[0.1, -0.0, 1e300], [5e-324, -1.5, f64::MAX], [3.0, 2.0, -7.0]] {
-            let point = point_of_doubles(doubles).unwrap();
+        for doubles in [[0.1, -0.0, 1e300], [5e-324, -1.5, f64::MAX], [3.0, 2.0, -7.0], [0.1, 1.0, 8.0]] {
+            let point = Point3::from_f64s(doubles).unwrap();
             let mut rounding = Rounding::none();
             assert_eq!(nearest_doubles(&point, &mut rounding).unwrap(), doubles);
             assert!(rounding.0.is_zero());
         }
-        assert!(point_of_doubles([0.0, f64::NAN, 0.0]).is_none());
-        assert!(point_of_doubles([0.0, 0.0, f64::NEG_INFINITY]).is_none());
     }
 }

@@ -12,7 +12,8 @@ use crate::format::Format;
 #[derive(Debug)]
 pub(super) struct Header<'a> {
     pub(super) format: Format,
-    /// In the order of the file. One has the role of the vertices; at most one behind it that of facets or segments.
+    /// In the order of the file. One has the role of the vertices; at most one behind it that of facets or
+    /// segments.
     pub(super) elements: Vec<Element<'a>>,
     /// Where the body begins.
     pub(super) body: usize,
@@ -113,8 +114,8 @@ impl Element<'_> {
     }
 }
 
-/// The lines of a header. They end as the first one does: with LF (a CR before it is a blank) or with CR. So in a
-/// binary file the first byte of the body is never taken for a part of a line end.
+/// The lines of a header. They end as the first one does: with LF (a CR before it is a blank) or with CR. So
+/// in a binary file the first byte of the body is never taken for a part of a line end.
 struct Lines<'a> {
     bytes: &'a [u8],
     at: usize,

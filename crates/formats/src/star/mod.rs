@@ -1,25 +1,14 @@
-//! The native text format.
+//! The native text format: cells of all dimensions with marks, one record a line. `docs/star.md` specifies it.
+//!
+//! | file | role |
+//! |---|---|
+//! | `line` | lines, words and quoted names |
+//! | `read` | records to a complex, and to a mesh if it says no more |
+//! | `write` | the one text of a model |
 
-use crate::base::budget::Budget;
-use crate::base::error::Located;
-use crate::base::model::Model;
-use crate::base::model::ReadModel;
-use crate::complex::Complex;
-use crate::write::WriteOptions;
-use crate::write::{Body, Task, WriteError};
+mod line;
+mod read;
+mod write;
 
-pub(crate) fn write_complex(
-    _complex: &Complex,
-    _model: &Model,
-    _options: &WriteOptions,
-) -> Result<Body, WriteError> {
-    unimplemented!()
-}
-
-pub(crate) fn read(_bytes: &[u8], _budget: &mut Budget) -> Result<ReadModel, Located> {
-    unimplemented!()
-}
-
-pub(crate) fn write_mesh(_task: &Task<'_>) -> Result<Body, WriteError> {
-    unimplemented!()
-}
+pub(crate) use read::read;
+pub(crate) use write::{write_complex, write_mesh};

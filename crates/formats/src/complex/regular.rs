@@ -1,0 +1,138 @@
+//! The regular part of a complex as a mesh: the closure of the interior of the set.
+
+use super::{Complex, Facet, Loss, Position, Vertex};
+use crate::base::model::Object;
+use crate::format::Format;
+use crate::write::{WriteError, WriteNote};
+use exact::Point3;
+use polytope::{Facets, PolygonMesh, triangulate_with_holes};
+
+impl Complex {
+    /// The closure of the interior of the set, as a mesh; `None` if it is unbounded or empty, or if facets with holes
+    /// cannot be cut.
+    pub fn regular_part(&self) -> Option<PolygonMesh> {
+        self.to_mesh(&[], Format::Off, true, &mut Vec::new()).ok().map(|(mesh, _)| mesh)
+    }
+
+    /// The mesh, and its objects, that a format without marks, holes and directions can hold. With `lossy` the
+    /// regular part is given, and what is left out is noted.
+    ///
+    /// The regular part is bounded by the facets between a volume of the set and one that is not; holes that enclose
+    /// an area are cut away, by triangulating the facet.
+    ///
+    /// # Errors
+    /// `Loses` with all losses, if the set would change and `lossy` is not given; `Unbounded`, if a facet of the
+    /// regular part is, or what is outside belongs to the set; `NothingLeft`, if the regular part is empty.
+    pub(crate) fn to_mesh(
+        &self,
+        objects: &[Object],
+        format: Format,
+        lossy: bool,
+        notes: &mut Vec<WriteNote>,
+    ) -> Result<(PolygonMesh, Vec<Object>), WriteError> {
+        self.check().map_err(WriteError::Malformed)?;
+        let losses = match self.as_mesh() {
+            Ok(mesh) => return Ok((mesh, objects.to_vec())),
+            Err(losses) => losses,
+        };
+        if !lossy && losses.iter().any(|loss| loss.changes_the_set()) {
+            return Err(WriteError::Loses { format, losses });
+        }
+        let is_boundary = |facet: &Facet| self.is_marked(facet.sides[0]) != self.is_marked(facet.sides[1]);
+        let is_unbounded = |facet: &Facet| facet.cycles().any(|cycle| self.is_unbounded(cycle));
+        if self.is_marked(0) || self.facets.iter().any(|facet| is_boundary(facet) && is_unbounded(facet)) {
+            return Err(WriteError::Unbounded);
+        }
+        let mut part = Part::of(self);
+        let mut starts = Vec::with_capacity(self.facets.len() + 1);
+        for (index, facet) in self.facets.iter().enumerate() {
+            starts.push(part.facets.len() as u32);
+            if is_boundary(facet) {
+                part.push(index, facet)?;
+            }
+        }
+        let end = part.facets.len() as u32;
+        if end == 0 {
+            return Err(WriteError::NothingLeft);
+        }
+        // Facets with holes are cut, not left out; but a hole without area is.
+        let left_out = |loss: Loss| match loss {
+            Loss::Holes(_) => (part.closed > 0).then_some(Loss::Holes(part.closed)),
+            other => Some(other),
+        };
+        notes.extend(losses.into_iter().filter_map(left_out).map(WriteNote::LeftOut));
+        if part.cut.0 > 0 {
+            notes.push(WriteNote::CutHoles { from: part.cut.0, to: part.cut.1 });
+        }
+        let moved = |object: &Object| {
+            let first_facet = starts.get(object.first_facet as usize).copied().unwrap_or(end);
+            Object { name: object.name.clone(), first_facet }
+        };
+        let objects = objects.iter().map(moved).collect();
+        Ok((part.into_mesh(), objects))
+    }
+}
+
+/// The facets of the regular part. Its vertices are those of the complex until the end, so that errors name these.
+struct Part<'a> {
+    complex: &'a Complex,
+    /// The points; those of directions mean nothing.
+    points: Vec<Point3>,
+    facets: Facets,
+    /// The numbers of facets with holes that were cut, and of their triangles.
+    cut: (usize, usize),
+    /// The number of facets that lost a hole of one or two vertices.
+    closed: usize,
+}
+
+impl<'a> Part<'a> {
+    fn of(complex: &'a Complex) -> Self {
+        let point = |vertex: &Vertex| match &vertex.position {
+            Position::Point(point) => point.clone(),
+            Position::Direction(_) => Point3::ORIGIN,
+        };
+        let points = complex.vertices.iter().map(point).collect();
+        Self { complex, points, facets: Facets::new(), cut: (0, 0), closed: 0 }
+    }
+
+    /// Appends a facet, the side that does not belong to the set in front.
+    fn push(&mut self, index: usize, facet: &Facet) -> Result<(), WriteError> {
+        let turn = self.complex.is_marked(facet.sides[0]);
+        // A hole of one or two vertices has no area, and disappears.
+        let holes: Vec<&[u32]> =
+            facet.holes.iter().filter(|hole| hole.len() > 2).map(Vec::as_slice).collect();
+        self.closed += usize::from(holes.len() < facet.holes.len());
+        let mut push = |cycle: &mut [u32]| {
+            if turn {
+                cycle.reverse();
+            }
+            self.facets.push(cycle);
+        };
+        if holes.is_empty() {
+            push(&mut facet.outer.clone());
+            return Ok(());
+        }
+        let triangles = triangulate_with_holes(&self.points, &facet.outer, &holes)
+            .map_err(|error| WriteError::CutHoles { facet: index, error })?;
+        self.cut.0 += 1;
+        self.cut.1 += triangles.len();
+        for mut triangle in triangles {
+            push(&mut triangle);
+        }
+        Ok(())
+    }
+
+    /// Leaves out the vertices that no facet has.
+    fn into_mesh(self) -> PolygonMesh {
+        let Self { points, mut facets, .. } = self;
+        let mut new: Vec<u32> = vec![0; points.len()];
+        facets.corners().iter().for_each(|&corner| new[corner as usize] = 1);
+        let mut kept = Vec::new();
+        for (point, new) in points.into_iter().zip(&mut new).filter(|(_, used)| **used == 1) {
+            *new = kept.len() as u32;
+            kept.push(point);
+        }
+        facets.relabel(&new);
+        PolygonMesh { points: kept, facets }
+    }
+}

@@ -1,0 +1,371 @@
+//! The star format, read.
+
+use super::line::{Line, Lines};
+use crate::base::budget::Budget;
+use crate::base::error::{At, Count, Fault, Located};
+use crate::base::model::{Model, Object, ReadModel, Shape, Unit};
+use crate::base::number::point;
+use crate::base::places::{Place, PlaceList, Places};
+use crate::base::scan::Token;
+use crate::base::words::{parse_u32, read_coordinate};
+use crate::complex::{Complex, Edge, Facet, Position, Rule, Vertex};
+use crate::format::Format;
+use exact::{Point3, Vector3};
+
+/// Reads a file of version 1. A mesh is given if it says all that the file says.
+pub(crate) fn read(bytes: &[u8], budget: &mut Budget) -> Result<ReadModel, Located> {
+    let mut lines = Lines::new(bytes);
+    read_first_line(&mut lines)?;
+    let mut reader = Reader::new(budget);
+    loop {
+        let Some((word, mut line)) = lines.next_record() else {
+            return Err(Fault::Truncated { expected: RECORD.into() }.at(lines.last()));
+        };
+        if word.bytes == b"end" {
+            line.end()?;
+            break;
+        }
+        reader.record(word, &mut line)?;
+    }
+    if let Some((word, _)) = lines.next_record() {
+        return Err(word.fault(|token| Fault::AfterEnd { token, end: "the complex".into() }));
+    }
+    reader.finish()
+}
+
+const RECORD: &str = "a record or `end` was expected";
+const KEYWORD: &str =
+    "`vertex`, `direction`, `volume`, `object`, `facet`, `edge`, `unit`, `end` or a comment";
+const VERTEX: &str = "the number of a vertex or direction declared above";
+const VOLUME: &str = "the number of a volume: 0, 1 or one declared above";
+
+fn read_first_line(lines: &mut Lines<'_>) -> Result<(), Located> {
+    const FIRST: &str = "the first line `star 1 complex`";
+    let (word, mut line) = lines.next_record().ok_or(Fault::Empty)?;
+    if word.bytes != b"star" {
+        return Err(word.unexpected(FIRST));
+    }
+    let version = line.expect("the version, `1`,")?;
+    if version.bytes != b"1" {
+        if !version.bytes.iter().all(u8::is_ascii_digit) {
+            return Err(version.unexpected("the version, `1`,"));
+        }
+        return Err(version.fault(|version| Fault::Unsupported {
+            what: format!("star version {version}"),
+            instead: "this program knows version 1 only: update it".into(),
+        }));
+    }
+    let kind = line.expect("the kind, `complex`,")?;
+    if kind.bytes != b"complex" {
+        return Err(kind.fault(|kind| Fault::Unsupported {
+            what: format!("star kind `{kind}`"),
+            instead: "this program knows the kind `complex` only: update it, or correct the kind".into(),
+        }));
+    }
+    line.end()
+}
+
+/// A growing list takes up to twice the size of what it holds.
+const GROWTH: u64 = 2;
+/// With its number, its line, and its point in a mesh.
+const OF_VERTEX: u64 = GROWTH * (size_of::<Vertex>() + size_of::<Point3>() + 8) as u64;
+/// With its line, and its start in a mesh. The tables of sides take eight bytes for each end of an edge.
+const OF_FACET: u64 = GROWTH * (size_of::<Facet>() + 8) as u64;
+const OF_EDGE: u64 = GROWTH * (size_of::<Edge>() + 24) as u64;
+/// A list of vertices of its own, and in a mesh.
+const OF_CORNER: u64 = 3 * 4;
+const OF_CYCLE: u64 = GROWTH * (size_of::<Vec<u32>>() + 16) as u64;
+const OF_VOLUME: u64 = 32;
+const OF_OBJECT: u64 = GROWTH * (size_of::<NewObject>() + size_of::<Object>()) as u64;
+/// What a point takes beside its digits, when its numbers do not fit into machine words; twice, for the mesh.
+const WIDE: u64 = 2 * 256;
+
+struct NewObject {
+    name: String,
+    facets: u32,
+    edges: u32,
+}
+
+struct Reader<'b> {
+    budget: &'b mut Budget,
+    complex: Complex,
+    /// The numbers of vertices and directions, ascending.
+    ids: Vec<u32>,
+    /// The last volume that was declared.
+    last_volume: Option<u32>,
+    unit: Option<Unit>,
+    objects: Vec<NewObject>,
+    vertex_places: PlaceList,
+    facet_places: PlaceList,
+    edge_places: PlaceList,
+    corners: u32,
+    /// The cycle that is being read.
+    cycle: Vec<u32>,
+}
+
+impl<'b> Reader<'b> {
+    fn new(budget: &'b mut Budget) -> Self {
+        Self {
+            budget,
+            complex: Complex::default(),
+            ids: Vec::new(),
+            last_volume: None,
+            unit: None,
+            objects: Vec::new(),
+            vertex_places: PlaceList::lines(),
+            facet_places: PlaceList::lines(),
+            edge_places: PlaceList::lines(),
+            corners: 0,
+            cycle: Vec::new(),
+        }
+    }
+
+    fn record(&mut self, keyword: Token<'_>, line: &mut Line<'_>) -> Result<(), Located> {
+        match keyword.bytes {
+            b"vertex" => self.vertex(line),
+            b"facet" => self.facet(line),
+            b"edge" => self.edge(line),
+            b"direction" => self.direction(line),
+            b"volume" => self.volume(line),
+            b"object" => self.object(line),
+            b"unit" => self.unit(keyword, line),
+            _ => Err(keyword.unexpected(KEYWORD)),
+        }
+    }
+
+    fn unit(&mut self, keyword: Token<'_>, line: &mut Line<'_>) -> Result<(), Located> {
+        const UNITS: &str = "`micron`, `millimeter`, `centimeter`, `inch`, `foot` or `meter`";
+        let word = line.expect(UNITS)?;
+        let unit = std::str::from_utf8(word.bytes).ok().and_then(Unit::from_name);
+        let unit = unit.ok_or_else(|| word.unexpected(UNITS))?;
+        if self.unit.replace(unit).is_some() {
+            return Err(keyword.fault(|_| Fault::Malformed { why: "a second unit; remove one".into() }));
+        }
+        line.end()
+    }
+
+    fn vertex(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
+        let id = self.new_id(line)?;
+        let position = self.point(line)?;
+        let marked = mark(line.word(), true, "`marked`, `unmarked` or the end of the line")?;
+        line.end()?;
+        self.push_vertex(id, Vertex { position: Position::Point(position), marked }, line)
+    }
+
+    fn direction(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
+        let id = self.new_id(line)?;
+        // A positive multiple of a direction is the same.
+        let point = self.point(line)?;
+        let direction = Vector3::new([0, 1, 2].map(|axis| point.numerator(axis))).primitive();
+        line.end()?;
+        if direction.is_zero() {
+            return Err(malformed(&Rule::ZeroDirection, line));
+        }
+        self.push_vertex(id, Vertex::direction(direction), line)
+    }
+
+    fn push_vertex(&mut self, id: u32, vertex: Vertex, line: &Line<'_>) -> Result<(), Located> {
+        self.budget.charge(OF_VERTEX).at_line(line.number)?;
+        self.ids.push(id);
+        self.complex.vertices.push(vertex);
+        self.vertex_places.push(Place::Line(line.number));
+        Ok(())
+    }
+
+    fn new_id(&mut self, line: &mut Line<'_>) -> Result<u32, Located> {
+        const ID: &str = "the number of the vertex, below 4294967295,";
+        let token = line.expect(ID)?;
+        let id = parse_u32(token.bytes).filter(|&id| id < u32::MAX).ok_or_else(|| token.unexpected(ID))?;
+        match self.ids.last() {
+            Some(&last) if id <= last => {
+                Err(token.unexpected(&format!("a number above {last}, the one before,")))
+            }
+            _ => Ok(id),
+        }
+    }
+
+    fn point(&mut self, line: &mut Line<'_>) -> Result<Point3, Located> {
+        let mut coordinate = || read_coordinate(line.expect("one of three coordinates")?);
+        let point = point([coordinate()?, coordinate()?, coordinate()?]);
+        if point.as_narrow().is_none() {
+            self.budget.charge(WIDE + u64::from(point.bits())).at_line(line.number)?;
+        }
+        Ok(point)
+    }
+
+    fn volume(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
+        const ID: &str = "the number of the volume";
+        let token = line.expect(ID)?;
+        let id = parse_u32(token.bytes).filter(|&id| id < u32::MAX).ok_or_else(|| token.unexpected(ID))?;
+        let marked =
+            mark(line.word(), Complex::default_mark(id), "`marked`, `unmarked` or the end of the line")?;
+        line.end()?;
+        self.budget.charge(OF_VOLUME).at_line(line.number)?;
+        if let Some(last) = self.last_volume.replace(id).filter(|&last| id <= last) {
+            return Err(token.unexpected(&format!("a number above {last}, the volume before,")));
+        }
+        self.complex.volumes.insert(id, marked);
+        Ok(())
+    }
+
+    fn object(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
+        let name = line.name()?;
+        line.end()?;
+        self.budget.charge(OF_OBJECT + name.len() as u64).at_line(line.number)?;
+        let (facets, edges) = (self.complex.facets.len() as u32, self.complex.edges.len() as u32);
+        self.objects.push(NewObject { name, facets, edges });
+        Ok(())
+    }
+
+    fn edge(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
+        let mut end = || self.known_vertex(line.expect(VERTEX)?);
+        let ends = [end()?, end()?];
+        let mut expected = "`through`, `marked`, `unmarked` or the end of the line";
+        let mut word = line.word();
+        let through = self.through(&mut word, line)?;
+        if through.is_some() {
+            expected = "`marked`, `unmarked` or the end of the line";
+        }
+        let marked = mark(word, true, expected)?;
+        line.end()?;
+        let edge = Edge { ends, through, marked };
+        self.complex.check_edge(&edge).map_err(|rule| self.broken(rule, line))?;
+        self.budget.charge(OF_EDGE).at_line(line.number)?;
+        count(self.complex.edges.len(), Count::Edges, line)?;
+        self.complex.edges.push(edge);
+        self.edge_places.push(Place::Line(line.number));
+        Ok(())
+    }
+
+    fn facet(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
+        let mut word = self.cycle(line)?;
+        let outer = self.cycle.clone();
+        let mut holes = Vec::new();
+        while word.is_some_and(|word| word.bytes == b"hole") {
+            word = self.cycle(line)?;
+            holes.push(self.cycle.clone());
+        }
+        let mut expected =
+            "a vertex, `hole`, `through`, `sides`, `marked`, `unmarked` or the end of the line";
+        let through = self.through(&mut word, line)?;
+        if through.is_some() {
+            expected = "`sides`, `marked`, `unmarked` or the end of the line";
+        }
+        let mut sides = [0, 1];
+        if word.is_some_and(|word| word.bytes == b"sides") {
+            sides = [self.known_volume(line)?, self.known_volume(line)?];
+            word = line.word();
+            expected = "`marked`, `unmarked` or the end of the line";
+        }
+        let marked = mark(word, true, expected)?;
+        line.end()?;
+        holes.shrink_to_fit();
+        let facet = Facet { outer, holes, through, sides, marked };
+        self.complex.check_facet(&facet).map_err(|rule| self.broken(rule, line))?;
+        self.budget.charge(OF_FACET).at_line(line.number)?;
+        count(self.complex.facets.len(), Count::Facets, line)?;
+        self.complex.facets.push(facet);
+        self.facet_places.push(Place::Line(line.number));
+        Ok(())
+    }
+
+    /// Reads vertices up to a word that begins with no digit, and gives that word.
+    fn cycle<'a>(&mut self, line: &mut Line<'a>) -> Result<Option<Token<'a>>, Located> {
+        self.cycle.clear();
+        let word = loop {
+            match line.word() {
+                Some(word) if word.bytes.first().is_some_and(u8::is_ascii_digit) => {
+                    let vertex = self.known_vertex(word)?;
+                    self.cycle.push(vertex);
+                }
+                other => break other,
+            }
+        };
+        self.budget.charge(OF_CYCLE + OF_CORNER * self.cycle.len() as u64).at_line(line.number)?;
+        let corners = u32::try_from(self.cycle.len()).ok().and_then(|new| self.corners.checked_add(new));
+        let too_many = || Fault::CountTooLarge { token: (1_u64 << 32).to_string(), of: Count::Corners };
+        self.corners = corners.ok_or_else(too_many).at_line(line.number)?;
+        Ok(word)
+    }
+
+    fn through<'a>(
+        &mut self,
+        word: &mut Option<Token<'a>>,
+        line: &mut Line<'a>,
+    ) -> Result<Option<Point3>, Located> {
+        if word.is_none_or(|word| word.bytes != b"through") {
+            return Ok(None);
+        }
+        let point = self.point(line)?;
+        *word = line.word();
+        Ok(Some(point))
+    }
+
+    fn known_vertex(&self, token: Token<'_>) -> Result<u32, Located> {
+        let index = parse_u32(token.bytes).and_then(|id| {
+            // Numbers that begin with 0 and leave none out are indices.
+            if self.ids.get(id as usize) == Some(&id) {
+                return Some(id);
+            }
+            self.ids.binary_search(&id).ok().map(|index| index as u32)
+        });
+        index.ok_or_else(|| token.unexpected(VERTEX))
+    }
+
+    fn known_volume(&self, line: &mut Line<'_>) -> Result<u32, Located> {
+        let token = line.expect(VOLUME)?;
+        let volume = parse_u32(token.bytes).filter(|&volume| self.complex.has_volume(volume));
+        volume.ok_or_else(|| token.unexpected(VOLUME))
+    }
+
+    /// The rule names a vertex by its index; the file by its number.
+    #[cold]
+    fn broken(&self, rule: Rule, line: &Line<'_>) -> Located {
+        let id = |index: u32| self.ids.get(index as usize).copied().unwrap_or(index);
+        let rule = match rule {
+            Rule::Loop(vertex) => Rule::Loop(id(vertex)),
+            Rule::Repeated(vertex) => Rule::Repeated(id(vertex)),
+            other => other,
+        };
+        malformed(&rule, line)
+    }
+
+    fn finish(self) -> Result<ReadModel, Located> {
+        let Self { complex, unit, objects, vertex_places, facet_places, edge_places, .. } = self;
+        let of_edges = complex.facets.is_empty();
+        let object = |object: NewObject| {
+            let first_facet = if of_edges { object.edges } else { object.facets };
+            Object { name: object.name, first_facet }
+        };
+        let objects = objects.into_iter().map(object).collect();
+        let facets = if of_edges { edge_places } else { facet_places };
+        let shape = complex.as_mesh().map_or(Shape::Complex(complex), Shape::Mesh);
+        let places = Places { part: None, vertices: vertex_places, facets };
+        Ok(ReadModel {
+            model: Model { shape, objects, unit },
+            format: Format::Star,
+            places,
+            notes: Vec::new(),
+        })
+    }
+}
+
+fn mark(word: Option<Token<'_>>, default: bool, expected: &str) -> Result<bool, Located> {
+    match word {
+        None => Ok(default),
+        Some(word) if word.bytes == b"marked" => Ok(true),
+        Some(word) if word.bytes == b"unmarked" => Ok(false),
+        Some(word) => Err(word.unexpected(expected)),
+    }
+}
+
+fn malformed(rule: &Rule, line: &Line<'_>) -> Located {
+    Fault::Malformed { why: rule.to_string() }.at(Place::Line(line.number))
+}
+
+/// One more must have an index below 2^32 - 1.
+fn count(already: usize, of: Count, line: &Line<'_>) -> Result<(), Located> {
+    let fits = already < u32::MAX as usize - 1;
+    let fault = || Fault::CountTooLarge { token: (already as u64 + 1).to_string(), of };
+    fits.then_some(()).ok_or_else(fault).at_line(line.number)
+}

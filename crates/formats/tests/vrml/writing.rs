@@ -1,0 +1,184 @@
+//! The way out and back, and changed files.
+
+use super::{GOOD, HEADER, mesh};
+use polytope::PolygonMesh;
+use splitstar_formats::{Format, Kind, Model, Object, WriteOptions, Written, read, write};
+
+fn model(points: &[[&str; 3]], facets: &[&[u32]], objects: &[(&str, u32)]) -> Model {
+    let mut mesh = PolygonMesh { points: Vec::new(), facets: polytope::Facets::new() };
+    mesh.points.extend(points.iter().map(|p| exact::Point3::from_rationals(&p.map(|c| c.parse().unwrap()))));
+    facets.iter().for_each(|cycle| mesh.facets.push(cycle));
+    let mut model = Model::of_mesh(mesh);
+    let object = |&(name, first_facet): &(&str, u32)| Object { name: name.into(), first_facet };
+    model.objects = objects.iter().map(object).collect();
+    model
+}
+
+fn write_vrml(model: &Model, float: bool) -> Written {
+    let mut options = WriteOptions::new(Format::Vrml);
+    options.float = float;
+    write(model, &options).unwrap()
+}
+
+const DECIMALS: &[[&str; 3]] = &[["0", "0", "0"], ["1.5", "0", "0"], ["0", "-1/8", "0"], ["0", "0", "2e3"]];
+const FRACTIONS: &[[&str; 3]] =
+    &[["0", "0", "0"], ["1/3", "0", "0"], ["0", "-1e399", "0"], ["0", "0", "2e3"]];
+const FACETS: &[&[u32]] = &[&[0, 2, 1], &[0, 1, 3], &[3, 1, 2, 0]];
+
+#[test]
+fn files_have_this_layout() {
+    let appearance = "  appearance Appearance { material Material {} }\n";
+    let decimals = "Coordinate {\n      point [\n        0 0 0\n        1.5 0 0\n        0 -0.125 0\n        0 0 2000\n      \
+                    ]\n    }\n";
+    let written = write_vrml(&model(DECIMALS, &FACETS[..2], &[("a", 0), ("no name", 1)]), false);
+    assert_eq!(
+        String::from_utf8(written.bytes).unwrap(),
+        format!(
+            "{HEADER}DEF a Shape {{\n{appearance}  geometry IndexedFaceSet {{\n    solid TRUE\n    convex TRUE\n    \
+             coord DEF points {decimals}    coordIndex [\n      0 2 1 -1\n    ]\n  }}\n}}\n\
+             Shape {{\n{appearance}  geometry IndexedFaceSet {{\n    solid TRUE\n    convex TRUE\n    \
+             coord USE points\n    coordIndex [\n      0 1 3 -1\n    ]\n  }}\n}}\n"
+        )
+    );
+    let written = write_vrml(&model(FRACTIONS, &[], &[]), false);
+    assert!(written.largest_rounding.is_zero());
+    let huge = "1".to_string() + &"0".repeat(399);
+    assert_eq!(
+        String::from_utf8(written.bytes).unwrap(),
+        format!(
+            "{HEADER}PROTO ExactCoordinate [ exposedField MFVec3f point [] field MFString exact [] ] {{\n  \
+             Coordinate {{ point IS point }}\n}}\nShape {{\n{appearance}  geometry PointSet {{\n    coord \
+             ExactCoordinate {{\n      point [\n        0 0 0\n        0.3333333333333333 0 0\n        0 -3e38 0\n        \
+             0 0 2000\n      ]\n      exact [\n        \"0 0 0\"\n        \"1/3 0 0\"\n        \"0 -{huge} 0\"\n        \
+             \"0 0 2000\"\n      ]\n    }}\n  }}\n}}\n"
+        )
+    );
+}
+
+#[test]
+fn written_files_come_back() {
+    let lines: &[&[u32]] = &[&[2, 1], &[3, 0], &[2, 0]];
+    let names: [&[(&str, u32)]; 4] =
+        [&[], &[("points", 0), ("points_", 2)], &[("a+b", 1), ("", 2)], &[("a", 0), ("a", 1), ("\u{e9}", 2)]];
+    for objects in names {
+        for points in [DECIMALS, FRACTIONS] {
+            for facets in [FACETS, lines, &FACETS[..1], &[]] {
+                let objects: Vec<_> =
+                    objects.iter().filter(|(_, first)| (*first as usize) < facets.len()).copied().collect();
+                let model = model(points, facets, &objects);
+                let bytes = write_vrml(&model, false).bytes;
+                let again = read(&bytes, None).unwrap();
+                assert_eq!(again.format, Format::Vrml);
+                assert_eq!(mesh(&again).points, model.shape.mesh().unwrap().points);
+                assert_eq!(mesh(&again).facets, model.shape.mesh().unwrap().facets);
+                assert_eq!(again.model.objects, model.objects);
+                assert_eq!(write_vrml(&again.model, false).bytes, bytes);
+            }
+        }
+    }
+}
+
+#[test]
+fn what_is_no_name_is_left_out() {
+    for name in ["1a", "-a", "a b", "a.b", "a#b", "a\"", "a{", "DEF", "TO", "eventIn", "a\u{7f}", "a\n"] {
+        let bytes = write_vrml(&model(DECIMALS, &FACETS[..1], &[(name, 0)]), false).bytes;
+        assert!(read(&bytes, None).unwrap().model.objects.is_empty(), "{name:?}");
+    }
+}
+
+#[test]
+fn floats_are_written_on_request() {
+    let mut points = FRACTIONS.to_vec();
+    points[2] = ["0", "1", "0"];
+    let written = write_vrml(&model(&points, &[], &[]), true);
+    assert_eq!(written.largest_rounding.to_string(), "1/30000000000000000");
+    assert!(!written.bytes.windows(5).any(|word| word == b"Exact"));
+    let mut options = WriteOptions::new(Format::Vrml);
+    options.float = true;
+    let error = write(&model(FRACTIONS, &[], &[]), &options).unwrap_err();
+    assert_eq!(error, splitstar_formats::WriteError::TooLargeForFloat { vertex: 2 });
+}
+
+/// SplitMix64 (Steele, Lea and Flood 2014).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, bound: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) % bound.max(1) as u64) as usize
+    }
+}
+
+const SPLICES: &[&str] = &[
+    " ",
+    "\n",
+    "\r",
+    "#",
+    "\"",
+    "\\",
+    "{",
+    "}",
+    "[",
+    "]",
+    ",",
+    "-",
+    "-1",
+    "0",
+    "9",
+    "1/3",
+    "1e401",
+    "\0",
+    " DEF a ",
+    " USE a ",
+    " NULL ",
+    " TRUE ",
+    " PROTO ",
+    " IS ",
+    " Shape { } ",
+    " children [ ] ",
+    " scale 1 2 3 ",
+    "4294967295",
+    " Group { children [ ",
+    " ] } ",
+];
+
+#[test]
+fn changed_files_never_break_the_reader() {
+    const SEED: u64 = 0x0097;
+    const CASES: usize = 20_000;
+    println!("seed {SEED:#x}, {CASES} cases");
+    let mut random = Random(SEED);
+    let mut accepted = 0;
+    for case in 0..CASES {
+        let row = &GOOD[random.below(GOOD.len())];
+        let mut text = row.text.as_bytes().to_vec();
+        for _ in 0..=random.below(3) {
+            let at = random.below(text.len() + 1);
+            let end = (at + random.below(12)).min(text.len());
+            let splice = match random.below(3) {
+                0 => SPLICES[random.below(SPLICES.len())].as_bytes().to_vec(),
+                1 => text[at..end].to_vec(),
+                _ => Vec::new(),
+            };
+            let to = if random.below(2) == 0 { at } else { end };
+            text.splice(at..to, splice);
+        }
+        match read(&[HEADER.as_bytes(), &text].concat(), None) {
+            Ok(read_once) => {
+                accepted += 1;
+                let again = read(&write_vrml(&read_once.model, false).bytes, None).unwrap();
+                assert_eq!(mesh(&again).points, mesh(&read_once).points, "case {case}");
+                assert_eq!(mesh(&again).facets, mesh(&read_once).facets, "case {case}");
+                assert_eq!(Kind::of(mesh(&again)), Kind::of(mesh(&read_once)), "case {case}");
+            }
+            Err(error) => {
+                let message = error.to_string();
+                assert!(message.len() < 300 && !message.contains(char::is_control), "case {case}: {message}");
+            }
+        }
+    }
+    assert!(accepted > CASES / 20 && accepted < CASES * 19 / 20, "{accepted} of {CASES} accepted");
+}
