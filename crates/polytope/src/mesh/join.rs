@@ -6,7 +6,8 @@
 //! 3. What is left of the boundaries is walked around: at the end of an edge, the fan of facets that are joined leads
 //!    to the next one. So a walk goes around a connected inside, and where it comes to a vertex again, a cycle is
 //!    closed there. All cycles are simple.
-//! 4. Of the cycles of a facet those with positive area are outer ones, usually one; the others are holes.
+//! 4. Of the cycles of a facet those with positive area are outer ones, usually one; the others are holes, also
+//!    those of two vertices: an edge that is run through both ways, and has other facets too.
 //! 5. A vertex goes if all cycles there run straight through it, along the same two edges.
 //!
 //! Nothing but 1 and 5 needs a coordinate besides signs of planes and areas; no step needs a closed surface.
@@ -39,17 +40,19 @@ impl Joined {
     }
 }
 
-/// Joins what is flat. Facets that are not planar, or have two vertices only, stay as they are.
+/// Joins what is flat, if any facet has area. Facets that are not planar, or have two vertices only, stay as they are.
 ///
 /// # Complexity
 /// `n log n`; for a facet that is several by itself, its outer cycles times its holes.
 pub(super) fn join(mut compact: Compact) -> Joined {
+    let has_area = |cycle: &[u32]| !matches!(Shape::of(&compact.points, cycle), Shape::Line);
+    if !compact.facets.iter().any(has_area) {
+        return Joined { compact, hole_facets: Vec::new(), holes: Facets::new() };
+    }
     compact.contract();
     let mut shapes: Vec<Shape> =
         compact.facets.iter().map(|cycle| Shape::of(&compact.points, cycle)).collect();
-    if shapes.iter().any(|shape| !matches!(shape, Shape::Line)) {
-        slack::take_out(&mut compact, &mut shapes);
-    }
+    slack::take_out(&mut compact, &mut shapes);
     let mut cycles = Boundaries { compact: &compact, shapes: &shapes }.cycles();
     straighten(&compact.points, &mut cycles);
     collect(compact, &cycles)
@@ -165,13 +168,12 @@ impl Boundaries<'_> {
             let (mut outers, mut holes) = (Vec::new(), Vec::new());
             for cycle in group {
                 let vertices = &cycles.vertices[cycle.start as usize..cycle.end as usize];
-                match area_sign(&self.compact.points, vertices, axis) {
-                    // An edge that is run through both ways, but has other facets too.
-                    Sign::Zero if vertices.len() == 2 => holes.push(cycle),
-                    Sign::Zero => {}
-                    sign if sign == positive => outers.push(cycle),
-                    _ => holes.push(cycle),
-                }
+                let sign = area_sign(&self.compact.points, vertices, axis);
+                if sign == positive { &mut outers } else { &mut holes }.push(cycle);
+            }
+            if outers.is_empty() {
+                // Facets that cross themselves may have any area.
+                outers.append(&mut holes);
             }
             let mut of: Vec<Vec<Cycle>> = outers.iter().map(|_| Vec::new()).collect();
             for hole in holes {
@@ -313,17 +315,15 @@ fn straighten(points: &[Point3], cycles: &mut Cycles) {
     if !gone.contains(&true) {
         return;
     }
-    let mut kept = 0;
+    // The list is not in the order of the vertices any more.
+    let mut kept = Vec::with_capacity(cycles.vertices.len());
     for cycle in &mut cycles.list {
         let range = cycle.start as usize..cycle.end as usize;
-        cycle.start = kept as u32;
-        for i in range {
-            let v = cycles.vertices[i];
-            cycles.vertices[kept] = v;
-            kept += usize::from(!gone[v as usize]);
-        }
-        cycle.end = kept as u32;
+        cycle.start = kept.len() as u32;
+        kept.extend(cycles.vertices[range].iter().filter(|&&v| !gone[v as usize]));
+        cycle.end = kept.len() as u32;
     }
+    cycles.vertices = kept;
 }
 
 /// Makes a mesh of the cycles. Facets go that have no area now.

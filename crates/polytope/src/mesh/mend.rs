@@ -91,17 +91,7 @@ impl PolygonMesh {
         }
         check_loose(self)?;
         let closed = compact.close(3, notes).is_ok();
-        for (f, cycle) in compact.facets.iter().enumerate() {
-            if let (4.., Shape::Bent { vertex, squared_distance }) =
-                (cycle.len(), Shape::of(&compact.points, cycle))
-            {
-                return Err(MeshError::NonPlanar {
-                    facet: compact.facet_names[f],
-                    vertex: compact.vertex_names[vertex as usize],
-                    squared_distance,
-                });
-            }
-        }
+        check_planar(&compact)?;
         if (closed || compact.is_balanced())
             && signed_volume(&compact.points, &compact.facets).sign() == Sign::Negative
         {
@@ -119,6 +109,20 @@ impl PolygonMesh {
         }
         Ok(joined.into())
     }
+}
+
+/// Every facet must lie in a plane.
+fn check_planar(compact: &Compact) -> Result<(), MeshError> {
+    for (f, cycle) in compact.facets.iter().enumerate().filter(|(_, cycle)| cycle.len() > 3) {
+        if let Shape::Bent { vertex, squared_distance } = Shape::of(&compact.points, cycle) {
+            return Err(MeshError::NonPlanar {
+                facet: compact.facet_names[f],
+                vertex: compact.vertex_names[vertex as usize],
+                squared_distance,
+            });
+        }
+    }
+    Ok(())
 }
 
 impl Mended {
