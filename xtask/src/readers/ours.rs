@@ -213,10 +213,9 @@ impl Subject {
         if largest != *stated {
             return Err(format!("read back with a difference of {largest}, stated is {stated}").into());
         }
-        if matches!(format, Format::ThreeMf | Format::Star) && self.model.unit.is_some() {
-            if read.unit != self.model.unit {
-                return Err(format!("the unit is read back as {:?}", read.unit).into());
-            }
+        let keeps_unit = matches!(format, Format::ThreeMf | Format::Star) && self.model.unit.is_some();
+        if keeps_unit && read.unit != self.model.unit {
+            return Err(format!("the unit is read back as {:?}", read.unit).into());
         }
         let keeps_objects = matches!(format, Format::Obj | Format::ThreeMf | Format::Vrml | Format::Star);
         if keeps_objects && !self.model.objects.is_empty() {

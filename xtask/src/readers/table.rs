@@ -60,14 +60,15 @@ pub(super) fn print(rows: &[Row]) {
         });
         println!("{line:width$}  {}", words.collect::<String>());
     }
-    let mut reasons: BTreeMap<(&str, &str), usize> = BTreeMap::new();
+    let mut reasons: BTreeMap<&str, BTreeMap<&str, usize>> = BTreeMap::new();
     for row in rows {
         if let Cell::Skipped(why) = &row.cell {
-            *reasons.entry((why, &row.reader)).or_default() += 1;
+            *reasons.entry(why).or_default().entry(&row.reader).or_default() += 1;
         }
     }
-    for ((why, reader), count) in reasons {
-        println!("skipped: {reader}: {count} files: {why}");
+    for (why, readers) in reasons {
+        let files: Vec<String> = readers.iter().map(|(reader, count)| format!("{reader} {count}")).collect();
+        println!("skipped: {why} ({})", files.join(", "));
     }
 }
 
