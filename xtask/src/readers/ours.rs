@@ -140,7 +140,7 @@ fn alone(format: Format, bytes: &[u8]) -> Option<&'static str> {
         Format::Star => Some("the native format is read by this project only"),
         Format::Off if has(b"/") => Some("coordinates are fractions; others read the file with floats"),
         Format::Vrml if has(b"ExactCoordinate") => {
-            Some("coordinates are in a PROTO with exact numbers; others read the file with floats")
+            Some("coordinates are in a PROTO with exact numbers; most others read the file with floats")
         }
         _ => None,
     }

@@ -46,7 +46,7 @@ impl Row {
 pub(super) fn print(rows: &[Row]) {
     let lines = in_order(rows.iter().map(|row| row.line.as_str()));
     let readers = in_order(rows.iter().map(|row| row.reader.as_str()));
-    let column = 26;
+    let column = 19;
     let width = lines.iter().map(|line| line.len()).max().unwrap_or(0);
     println!(
         "\n{:width$}  {}",
