@@ -104,8 +104,8 @@ impl Format {
         match self {
             Self::Off | Self::Ply | Self::PlyBigEndian | Self::PlyAscii => mesh,
             Self::Obj | Self::Vrml => Abilities { objects: true, ..mesh },
-            Self::Stl => Abilities { polygons: false, points: false, ..mesh },
-            Self::StlAscii => Abilities { polygons: false, points: false, objects: true, ..mesh },
+            // A text may have several solids, but many programs read the first one only.
+            Self::Stl | Self::StlAscii => Abilities { polygons: false, points: false, ..mesh },
             Self::ThreeMf => Abilities { polygons: false, points: false, objects: true, unit: true },
             // Its unit is the meter: a model with a unit is scaled.
             Self::Glb => Abilities { polygons: false, objects: true, unit: true, ..mesh },

@@ -57,6 +57,8 @@ pub enum WriteNote {
     NoUnit(Unit),
     /// The format has no objects, or this many were made one.
     NoObjects(usize),
+    /// The format does not take so many names of objects as they are.
+    NamesChanged(usize),
     /// Left out, because it was allowed.
     LeftOut(Loss),
     /// The format has no holes, and cutting facets was allowed.
@@ -212,6 +214,13 @@ fn write_mesh(
     if !can.objects && named.len() > 1 {
         notes.push(WriteNote::NoObjects(named.len()));
     }
+    if format == Format::Vrml {
+        let is_changed = |object: &&Object| !object.name.is_empty() && !vrml::is_identifier(&object.name);
+        let changed = named.iter().filter(is_changed).count();
+        if changed > 0 {
+            notes.push(WriteNote::NamesChanged(changed));
+        }
+    }
     if let (false, Some(unit)) = (can.unit, unit) {
         notes.push(WriteNote::NoUnit(unit));
     }
@@ -252,6 +261,9 @@ impl fmt::Display for WriteNote {
             Self::NoUnit(unit) => write!(f, "the format has no unit: {unit} is not written"),
             Self::NoObjects(objects) => {
                 write!(f, "the format has no objects: {objects} are written as one, without their names")
+            }
+            Self::NamesChanged(names) => {
+                write!(f, "the format takes identifiers only: {names} names of objects changed")
             }
             Self::LeftOut(loss) => write!(f, "left out: {loss}"),
             Self::CutHoles { from, to } => {

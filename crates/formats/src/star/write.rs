@@ -79,24 +79,30 @@ pub(crate) fn write_complex(
 
 /// Writes a mesh: points as vertices, segments as edges, one polygon as a facet with nothing behind it, other facets
 /// as the surface of volume 1. Vertices without a facet would be points of the set, and are left out where there are
-/// facets; the others keep their numbers.
+/// facets; the others are numbered without them.
 pub(crate) fn write_mesh(task: &Task<'_>) -> Result<Body, WriteError> {
     let mesh = task.mesh;
     let kind = Kind::of(mesh);
     let mut used = vec![kind == Kind::Points; mesh.points.len()];
     mesh.facets.corners().iter().for_each(|&corner| used[corner as usize] = true);
+    let mut ids = vec![0_u32; mesh.points.len()];
+    let mut next = 0;
+    for vertex in (0..used.len()).filter(|&vertex| used[vertex]) {
+        ids[vertex] = next;
+        next += 1;
+    }
     let mut text = Text::new(task.unit, task.numerals(Numerals::Fractions));
     text.bytes.reserve(24 * mesh.points.len() + 8 * mesh.facets.corners().len());
-    for (id, point) in mesh.points.iter().enumerate().filter(|&(id, _)| used[id]) {
-        put(&mut text.bytes, format_args!("vertex {id} "));
-        text.point(point, id)?;
+    for (vertex, point) in mesh.points.iter().enumerate().filter(|&(vertex, _)| used[vertex]) {
+        put(&mut text.bytes, format_args!("vertex {} ", ids[vertex]));
+        text.point(point, vertex)?;
         text.bytes.push(b'\n');
     }
     let mut objects = task.objects.iter().peekable();
     for (index, cycle) in mesh.facets.iter().enumerate() {
         text.objects(&mut objects, index);
         text.bytes.extend_from_slice(if cycle.len() == 2 { b"edge" } else { b"facet" });
-        text.ids(cycle);
+        cycle.iter().for_each(|&vertex| put(&mut text.bytes, format_args!(" {}", ids[vertex as usize])));
         text.bytes.extend_from_slice(if kind == Kind::Polygon { b" sides 0 0\n" } else { b"\n" });
     }
     text.objects(&mut objects, usize::MAX);

@@ -15,7 +15,8 @@ impl Key for [u32; 3] {
     #[inline]
     fn hash(&self, secret: &[u64; 4]) -> u64 {
         let [x, y, z] = self.map(u64::from);
-        mix((x << 32 | y) ^ secret[0], z ^ secret[1])
+        // Once more: the floats of a grid have few different bits, and a product keeps some of their pattern.
+        mix(mix((x << 32 | y) ^ secret[0], z ^ secret[1]) ^ secret[2], secret[3] | 1)
     }
 }
 

@@ -40,7 +40,7 @@ pub(crate) fn write_binary(task: &Task<'_>) -> Result<Body, WriteError> {
     Ok(Body { bytes, rounding })
 }
 
-/// Writes STL as text, each object as a solid. Coordinates are decimals; the normals are short ones, and only tell
+/// Writes STL as text: one solid, with the name of the object if there is one only. Coordinates are decimals; the normals are short ones, and only tell
 /// which way a facet looks.
 pub(crate) fn write_ascii(task: &Task<'_>) -> Result<Body, WriteError> {
     let mesh = task.mesh;
@@ -65,26 +65,24 @@ pub(crate) fn write_ascii(task: &Task<'_>) -> Result<Body, WriteError> {
         &texts[start..ends[vertex]]
     };
     let mut bytes = Vec::with_capacity(240 * mesh.facets.len() + 64);
-    for (name, facets) in task.runs() {
-        let name = name_in_line(name);
-        let blank = if name.is_empty() { "" } else { " " };
-        put(&mut bytes, format_args!("solid{blank}{name}\n"));
-        for facet in facets {
-            let corners = triangle(mesh.facets.get(facet), Format::StlAscii)?.map(|vertex| vertex as usize);
-            bytes.extend_from_slice(b"facet normal");
-            for component in approx_normal(corners.map(|vertex| positions[vertex])) {
-                put_short(&mut bytes, component);
-            }
-            bytes.extend_from_slice(b"\n  outer loop\n");
-            for vertex in corners {
-                bytes.extend_from_slice(b"    vertex ");
-                bytes.extend_from_slice(text_of(vertex));
-                bytes.push(b'\n');
-            }
-            bytes.extend_from_slice(b"  endloop\nendfacet\n");
+    let name = name_in_line(if let [object] = task.objects { &object.name } else { "" });
+    let blank = if name.is_empty() { "" } else { " " };
+    put(&mut bytes, format_args!("solid{blank}{name}\n"));
+    for cycle in mesh.facets.iter() {
+        let corners = triangle(cycle, Format::StlAscii)?.map(|vertex| vertex as usize);
+        bytes.extend_from_slice(b"facet normal");
+        for component in approx_normal(corners.map(|vertex| positions[vertex])) {
+            put_short(&mut bytes, component);
         }
-        put(&mut bytes, format_args!("endsolid{blank}{name}\n"));
+        bytes.extend_from_slice(b"\n  outer loop\n");
+        for vertex in corners {
+            bytes.extend_from_slice(b"    vertex ");
+            bytes.extend_from_slice(text_of(vertex));
+            bytes.push(b'\n');
+        }
+        bytes.extend_from_slice(b"  endloop\nendfacet\n");
     }
+    put(&mut bytes, format_args!("endsolid{blank}{name}\n"));
     Ok(Body { bytes, rounding })
 }
 

@@ -23,4 +23,4 @@ mod scene;
 mod write;
 
 pub(crate) use scene::read;
-pub(crate) use write::write;
+pub(crate) use write::{is_identifier, write};

@@ -15,7 +15,8 @@ const EXACT_COORDINATE: &str = "PROTO ExactCoordinate [ exposedField MFVec3f poi
 /// Writes a mesh as VRML 2: a `Shape` for each object, all with the same coordinates.
 ///
 /// The coordinates are decimals in a `Coordinate`, or fractions in an `ExactCoordinate` if one of them is no
-/// decimal of few digits. An object keeps its name if that may be a name in VRML.
+/// decimal of few digits. An object keeps its name if that may be a name in VRML; other names
+/// are changed.
 pub(crate) fn write(task: &Task<'_>) -> Result<Body, WriteError> {
     let mesh = task.mesh;
     let coordinates = coordinates(task)?;
@@ -28,9 +29,10 @@ pub(crate) fn write(task: &Task<'_>) -> Result<Body, WriteError> {
     let kind = Kind::of(mesh);
     let has_cells = |facets: &Range<usize>| kind == Kind::Points || !facets.is_empty();
     let runs: Vec<_> = task.runs().into_iter().filter(|(_, facets)| has_cells(facets)).collect();
-    let shared = shared_name(&runs);
-    for (at, (name, facets)) in runs.iter().enumerate() {
-        if is_identifier(name) {
+    let names = identifiers(&runs);
+    let shared = free_name("points", &names);
+    for (at, (name, (_, facets))) in names.iter().zip(&runs).enumerate() {
+        if !name.is_empty() {
             put(&mut bytes, format_args!("DEF {name} "));
         }
         let geometry = match kind {
@@ -133,18 +135,45 @@ fn exact_coordinates(points: &[Point3]) -> Coordinates {
     Coordinates { bytes, exact: true, rounding: Rounding::none() }
 }
 
-/// A name for the coordinates that no object has.
-fn shared_name(runs: &[(&str, Range<usize>)]) -> String {
-    let names: BTreeSet<&str> = runs.iter().map(|(name, _)| *name).collect();
-    let mut shared = "points".to_string();
-    while names.contains(shared.as_str()) {
-        shared.push('_');
+/// Names that VRML takes, one for each run: what is no identifier is made one; no name is no name.
+fn identifiers(runs: &[(&str, Range<usize>)]) -> Vec<String> {
+    let mut names: Vec<String> = Vec::with_capacity(runs.len());
+    let mut taken: BTreeSet<String> =
+        runs.iter().filter(|(name, _)| is_identifier(name)).map(|(name, _)| (*name).to_string()).collect();
+    for (name, _) in runs {
+        let name = match name {
+            name if is_identifier(name) => (*name).to_string(),
+            &"" => String::new(),
+            name => {
+                let letters = name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' });
+                let made =
+                    free_name_in(std::iter::once('_').chain(letters).collect(), |name| taken.contains(name));
+                taken.insert(made.clone());
+                made
+            }
+        };
+        names.push(name);
     }
-    shared
+    names
+}
+
+/// A name that is not among those.
+fn free_name(name: &str, names: &[String]) -> String {
+    free_name_in(name.to_string(), |name| names.iter().any(|other| other == name))
+}
+
+fn free_name_in(mut name: String, is_taken: impl Fn(&str) -> bool) -> String {
+    // Doubling what is added keeps the number of attempts small.
+    let mut more = 1;
+    while is_taken(&name) {
+        name.extend(std::iter::repeat_n('_', more));
+        more *= 2;
+    }
+    name
 }
 
 /// Whether VRML takes it for a name.
-fn is_identifier(name: &str) -> bool {
+pub(crate) fn is_identifier(name: &str) -> bool {
     const KEYWORDS: [&str; 14] = [
         "DEF",
         "EXTERNPROTO",

@@ -20,9 +20,7 @@ fn outside(index: &str) -> String {
 }
 
 fn after_end(token: &str) -> String {
-    format!(
-        "`{token}` after the end of the last element that the header promises; remove it"
-    )
+    format!("`{token}` after the end of the last element that the header promises; remove it")
 }
 
 #[test]

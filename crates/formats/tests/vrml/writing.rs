@@ -2,7 +2,7 @@
 
 use super::{GOOD, HEADER, mesh};
 use polytope::PolygonMesh;
-use splitstar_formats::{Format, Kind, Model, Object, WriteOptions, Written, read, write};
+use splitstar_formats::{Format, Kind, Model, Object, WriteNote, WriteOptions, Written, read, write};
 
 fn model(points: &[[&str; 3]], facets: &[&[u32]], objects: &[(&str, u32)]) -> Model {
     let mut mesh = PolygonMesh { points: Vec::new(), facets: polytope::Facets::new() };
@@ -36,7 +36,7 @@ fn files_have_this_layout() {
         format!(
             "{HEADER}DEF a Shape {{\n{appearance}  geometry IndexedFaceSet {{\n    solid TRUE\n    convex TRUE\n    \
              coord DEF points {decimals}    coordIndex [\n      0 2 1 -1\n    ]\n  }}\n}}\n\
-             Shape {{\n{appearance}  geometry IndexedFaceSet {{\n    solid TRUE\n    convex TRUE\n    \
+             DEF _no_name Shape {{\n{appearance}  geometry IndexedFaceSet {{\n    solid TRUE\n    convex TRUE\n    \
              coord USE points\n    coordIndex [\n      0 1 3 -1\n    ]\n  }}\n}}\n"
         )
     );
@@ -79,10 +79,17 @@ fn written_files_come_back() {
 }
 
 #[test]
-fn what_is_no_name_is_left_out() {
+fn what_is_no_name_is_made_one() {
     for name in ["1a", "-a", "a b", "a.b", "a#b", "a\"", "a{", "DEF", "TO", "eventIn", "a\u{7f}", "a\n"] {
-        let bytes = write_vrml(&model(DECIMALS, &FACETS[..1], &[(name, 0)]), false).bytes;
-        assert!(read(&bytes, None).unwrap().model.objects.is_empty(), "{name:?}");
+        let objects = [(name, 0), ("_a_b", 1), (name, 2)];
+        let written = write_vrml(&model(DECIMALS, FACETS, &objects), false);
+        assert_eq!(written.notes, [WriteNote::NamesChanged(2)], "{name:?}");
+        let again = read(&written.bytes, None).unwrap().model.objects;
+        let names: Vec<&str> = again.iter().map(|object| object.name.as_str()).collect();
+        assert_eq!(again.iter().map(|object| object.first_facet).collect::<Vec<_>>(), [0, 1, 2], "{name:?}");
+        assert_eq!(names[1], "_a_b");
+        assert!(names[0] != names[1] && names[0] != names[2] && names[1] != names[2], "{names:?}");
+        assert!(names.iter().all(|name| name.starts_with('_')), "{names:?}");
     }
 }
 
