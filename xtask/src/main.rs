@@ -33,7 +33,7 @@ usage: cargo xtask VERB
   tidy                                       ARCHITECTURE.md against the tree
   tables                                     thesis tables 3.3 and 3.4: counted, printed, why they differ
   peers [--require] [--only PAIR] [--out F]  speed against CGAL, Manifold and SciPy; see peers/README.md
-  readers [--require]                        files against trimesh, Manifold, assimp, ADMesh, MeshLab; see peers/README.md
+  readers [--require]                        files against trimesh, Manifold, assimp and others; see peers/README.md
   bench [growth|widths]                      growth of time and memory; widths of coordinates";
 
 fn main() -> ExitCode {

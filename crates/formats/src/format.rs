@@ -127,7 +127,10 @@ impl Format {
             return Content::Known(Self::Glb);
         }
         if start.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(start).starts_with(b"ply")
-            && matches!(start.iter().find(|byte| !b"\xEF\xBB\xBFply".contains(byte)), Some(b'\n' | b'\r' | b' ' | b'\t'))
+            && matches!(
+                start.iter().find(|byte| !b"\xEF\xBB\xBFply".contains(byte)),
+                Some(b'\n' | b'\r' | b' ' | b'\t')
+            )
         {
             return Content::Known(Self::Ply);
         }

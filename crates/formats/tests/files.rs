@@ -75,36 +75,33 @@ const BROKEN: &[(&str, &str)] = &[
         "repeated_index.off",
         "line 16: the facet has vertex 0 twice in a row; name every vertex of a facet once",
     ),
-    (
-        "index_out_of_range.off",
-        "line 16: vertex index 8, but the file has 8 vertices; indices run from 0 to 7",
-    ),
-    ("negative_index.off", "line 16: vertex index -1, but the file has 8 vertices; indices run from 0 to 7"),
+    ("index_out_of_range.off", "line 16: vertex index 8, but there are 8 vertices; indices run from 0 to 7"),
+    ("negative_index.off", "line 16: vertex index -1, but there are 8 vertices; indices run from 0 to 7"),
     (
         "truncated.off",
         "line 12: the file ends where a facet was expected, after 2 of 6 facets; \
-         complete it, or correct the counts",
+         complete it",
     ),
     (
         "truncated_header.off",
         "line 2: the file ends where the numbers of vertices, facets and edges were expected; \
-         complete it, or correct the counts",
+         complete it",
     ),
     (
         "wrong_counts.off",
         "line 16: the file ends where a facet was expected, after 6 of 9 facets; \
-         complete it, or correct the counts",
+         complete it",
     ),
     (
         "huge_counts.off",
         "line 16: the file ends where a vertex was expected, after 14 of 4000000000 vertices; \
-         complete it, or correct the counts",
+         complete it",
     ),
     (
         "no_header.off",
         "line 1: no known format: the file begins with `8`; OFF, OBJ, STL, PLY, 3MF, VRML and star can be read",
     ),
-    ("empty.off", "the file is empty; a mesh was expected"),
+    ("empty.off", "the file is empty; a model was expected"),
     ("zero_everything.off", "line 2: the mesh is empty: it has no vertex; at least one is needed"),
 ];
 

@@ -88,7 +88,7 @@ fn damage_is_told() {
         ("garbage behind padding", after(b"\0\0\0garbage"), &follows),
         ("half a second member", after(&whole[..length - 10]), &second),
         ("gzip within gzip", pack(&whole), "gzip within gzip cannot be read; unpack it once"),
-        ("nothing", pack(b""), "the file is empty; a mesh was expected"),
+        ("nothing", pack(b""), "the file is empty; a model was expected"),
     ];
     for (name, bytes, message) in rows {
         assert_eq!(read(&bytes, None).unwrap_err().to_string(), message, "{name}");

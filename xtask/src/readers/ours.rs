@@ -140,7 +140,7 @@ fn alone(format: Format, bytes: &[u8]) -> Option<&'static str> {
         Format::Star => Some("the native format is read by this project only"),
         Format::Off if has(b"/") => Some("coordinates are fractions; others read the file with floats"),
         Format::Vrml if has(b"ExactCoordinate") => {
-            Some("coordinates are in a PROTO with exact numbers; others read the file with floats")
+            Some("coordinates are in a PROTO with exact numbers; most others read the file with floats")
         }
         _ => None,
     }
@@ -213,10 +213,9 @@ impl Subject {
         if largest != *stated {
             return Err(format!("read back with a difference of {largest}, stated is {stated}").into());
         }
-        if matches!(format, Format::ThreeMf | Format::Star) && self.model.unit.is_some() {
-            if read.unit != self.model.unit {
-                return Err(format!("the unit is read back as {:?}", read.unit).into());
-            }
+        let keeps_unit = matches!(format, Format::ThreeMf | Format::Star) && self.model.unit.is_some();
+        if keeps_unit && read.unit != self.model.unit {
+            return Err(format!("the unit is read back as {:?}", read.unit).into());
         }
         let keeps_objects = matches!(format, Format::Obj | Format::ThreeMf | Format::Vrml | Format::Star);
         if keeps_objects && !self.model.objects.is_empty() {

@@ -46,7 +46,7 @@ impl Row {
 pub(super) fn print(rows: &[Row]) {
     let lines = in_order(rows.iter().map(|row| row.line.as_str()));
     let readers = in_order(rows.iter().map(|row| row.reader.as_str()));
-    let column = 26;
+    let column = 19;
     let width = lines.iter().map(|line| line.len()).max().unwrap_or(0);
     println!(
         "\n{:width$}  {}",
@@ -60,14 +60,15 @@ pub(super) fn print(rows: &[Row]) {
         });
         println!("{line:width$}  {}", words.collect::<String>());
     }
-    let mut reasons: BTreeMap<(&str, &str), usize> = BTreeMap::new();
+    let mut reasons: BTreeMap<&str, BTreeMap<&str, usize>> = BTreeMap::new();
     for row in rows {
         if let Cell::Skipped(why) = &row.cell {
-            *reasons.entry((why, &row.reader)).or_default() += 1;
+            *reasons.entry(why).or_default().entry(&row.reader).or_default() += 1;
         }
     }
-    for ((why, reader), count) in reasons {
-        println!("skipped: {reader}: {count} files: {why}");
+    for (why, readers) in reasons {
+        let files: Vec<String> = readers.iter().map(|(reader, count)| format!("{reader} {count}")).collect();
+        println!("skipped: {why} ({})", files.join(", "));
     }
 }
 

@@ -244,7 +244,7 @@ fn counted(count: u32, one: &str, many: &str) -> String {
 impl fmt::Display for Fault {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Empty => f.write_str("the file is empty; a mesh was expected"),
+            Self::Empty => f.write_str("the file is empty; a model was expected"),
             Self::UnknownFormat { token } => write!(
                 f,
                 "no known format: the file begins with `{token}`; OFF, OBJ, STL, PLY, 3MF, VRML and star can be read"
@@ -269,7 +269,8 @@ impl fmt::Display for Fault {
             }
             Self::IndexOutOfRange { index, vertices, first } => write!(
                 f,
-                "vertex index {index}, but the file has {}; indices run from {first} to {}",
+                "vertex index {index}, but there {} {}; indices run from {first} to {}",
+                if *vertices == 1 { "is" } else { "are" },
                 counted(*vertices, "vertex", "vertices"),
                 u64::from(*vertices) + u64::from(*first) - 1
             ),
@@ -291,10 +292,10 @@ impl fmt::Display for Fault {
             }
             Self::Malformed { why } => f.write_str(why),
             Self::Truncated { expected } => {
-                write!(f, "the file ends where {expected}; complete it, or correct the counts")
+                write!(f, "the file ends where {expected}; complete it")
             }
             Self::AfterEnd { token, end } => {
-                write!(f, "`{token}` after the end of {end}; remove it, or correct the counts")
+                write!(f, "`{token}` after the end of {end}; remove it")
             }
             Self::Packed { why } => write!(f, "the packed data is damaged: {why}; pack it again"),
             Self::TooMuchMemory { allowed } => write!(

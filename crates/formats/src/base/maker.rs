@@ -47,10 +47,6 @@ impl<'b> MeshMaker<'b> {
         self.facets.len() as u32
     }
 
-    pub(crate) fn points(&self) -> &[Point3] {
-        &self.points
-    }
-
     /// For what a reader keeps beside the mesh.
     pub(crate) fn budget(&mut self) -> &mut Budget {
         self.budget

@@ -168,8 +168,8 @@ fn cells_know_their_lines() {
 
 /// Name, text, and the whole message.
 const BAD: &[(&str, &[u8], &str)] = &[
-    ("empty", b"", "the file is empty; a mesh was expected"),
-    ("only comments", b"\n # v 0 0 0\n\\\n", "the file is empty; a mesh was expected"),
+    ("empty", b"", "the file is empty; a model was expected"),
+    ("only comments", b"\n # v 0 0 0\n\\\n", "the file is empty; a model was expected"),
     ("no vertex", b"o cube\n", "the mesh is empty: it has no vertex; at least one is needed"),
     ("no vertex named", b"v 0 0 0\np\n", "the mesh is empty: it has no vertex; at least one is needed"),
     (
@@ -207,17 +207,17 @@ const BAD: &[(&str, &[u8], &str)] = &[
     (
         "index too large",
         b"v 0 0 0\nv 1 0 0\nf 1 2 9/1/1\n",
-        "line 3: vertex index 9, but the file has 2 vertices; indices run from 1 to 2",
+        "line 3: vertex index 9, but there are 2 vertices; indices run from 1 to 2",
     ),
     (
         "index far too large",
         b"v 0 0 0\nf 1 2 99999999999999999999\n",
-        "line 2: vertex index 2, but the file has 1 vertex; indices run from 1 to 1",
+        "line 2: vertex index 2, but there is 1 vertex; indices run from 1 to 1",
     ),
     (
         "negative index too large",
         b"v 0 0 0\nf -2 1 1\n",
-        "line 2: vertex index -2, but the file has 1 vertex; indices run from 1 to 1",
+        "line 2: vertex index -2, but there is 1 vertex; indices run from 1 to 1",
     ),
     (
         "no index",

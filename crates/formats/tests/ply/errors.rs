@@ -4,7 +4,7 @@ use super::{FACES, FLOATS, POINTS, VERTICES, binary, packed, read_ply, text};
 use splitstar_formats::Format;
 
 fn ends(expected: &str, read: &str) -> String {
-    format!("the file ends where {expected} was expected, after {read}; complete it, or correct the counts")
+    format!("the file ends where {expected} was expected, after {read}; complete it")
 }
 
 fn more_words(word: &str, record: &str) -> String {
@@ -16,13 +16,12 @@ fn no_count(word: &str, of: &str) -> String {
 }
 
 fn outside(index: &str) -> String {
-    format!("vertex index {index}, but the file has 3 vertices; indices run from 0 to 2")
+    format!("vertex index {index}, but there are 3 vertices; indices run from 0 to 2")
 }
 
 fn after_end(token: &str) -> String {
     format!(
-        "`{token}` after the end of the last element that the header promises; remove it, or correct the \
-         counts"
+        "`{token}` after the end of the last element that the header promises; remove it"
     )
 }
 

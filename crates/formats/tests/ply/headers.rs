@@ -4,16 +4,16 @@ use super::{VERTICES, binary, read_ply, text};
 
 /// Headers that are wrong, with what is said of them.
 const BAD_HEADERS: &[(&str, &str)] = &[
-    ("", "the file is empty; a mesh was expected"),
+    ("", "the file is empty; a model was expected"),
     (
         "plywood\n",
         "line 1: no known format: the file begins with `plywood`; OFF, OBJ, STL, PLY, 3MF, VRML and star \
          can be read",
     ),
-    ("ply\n", "line 1: the file ends where `end_header` was expected; complete it, or correct the counts"),
+    ("ply\n", "line 1: the file ends where `end_header` was expected; complete it"),
     (
         "ply\nformat ascii 1.0\nelement vertex 1\n",
-        "line 3: the file ends where `end_header` was expected; complete it, or correct the counts",
+        "line 3: the file ends where `end_header` was expected; complete it",
     ),
     ("ply\nformat ascii 2.0\n", "line 2: PLY of version 2.0 cannot be read; write version 1.0"),
     (

@@ -118,15 +118,9 @@ fn defaults_are_filled_in() {
 
 /// After the first line, and without `end`: what is said.
 const BAD: &[[&str; 2]] = &[
-    ["", "line 1: the file ends where a record or `end` was expected; complete it, or correct the counts"],
-    [
-        "vertex 0 0 0 0\n\n",
-        "line 3: the file ends where a record or `end` was expected; complete it, or correct the counts",
-    ],
-    [
-        "end\nvertex 0 0 0 0",
-        "line 3: `vertex` after the end of the complex; remove it, or correct the counts",
-    ],
+    ["", "line 1: the file ends where a record or `end` was expected; complete it"],
+    ["vertex 0 0 0 0\n\n", "line 3: the file ends where a record or `end` was expected; complete it"],
+    ["end\nvertex 0 0 0 0", "line 3: `vertex` after the end of the complex; remove it"],
     ["end x", "line 2: `x` where the end of the line was expected; correct it"],
     [
         "point 0 0 0",
@@ -320,7 +314,7 @@ fn other_versions_and_kinds_are_refused() {
             "line 1: star kind `arrangement` cannot be read; this program knows the kind `complex` only: update it, or correct the kind",
         ),
         (b"end", "line 1: `end` where the first line `star 1 complex` was expected; correct it"),
-        (b" # only\n", "the file is empty; a mesh was expected"),
+        (b" # only\n", "the file is empty; a model was expected"),
         (
             b"star 1 complex\nobject \"\xFF\"",
             "line 2: `\\\"\\xff\\\"` where a name in UTF-8 was expected; correct it",

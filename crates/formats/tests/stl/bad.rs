@@ -16,16 +16,16 @@ fn every_bad_text_gives_its_error() {
         |end: &str| format!("solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\n{end}").into_bytes();
     let rows: Vec<(Vec<u8>, &str)> = vec![
         (b"solid x\nendsolid x\n".to_vec(), empty),
-        (b"solid".to_vec(), "line 1: the file ends where `facet` or `endsolid` was expected; complete it, or correct the counts"),
-        (b"solid x\n".to_vec(), "line 1: the file ends where `facet` or `endsolid` was expected; complete it, or correct the counts"),
+        (b"solid".to_vec(), "line 1: the file ends where `facet` or `endsolid` was expected; complete it"),
+        (b"solid x\n".to_vec(), "line 1: the file ends where `facet` or `endsolid` was expected; complete it"),
         (b"solid x\nvertex 0 0 0\n".to_vec(), "line 2: `vertex` where `facet` or `endsolid` was expected; correct it"),
         (b"solid x\nendsolid\nfacet".to_vec(), "line 3: `facet` where `solid`, or the end of the file, was expected; correct it"),
         (b"solid x\nfacet 0 0 1\n".to_vec(), "line 2: `0` where `normal` was expected; correct it"),
         (b"solid x\nfacet normal 0 0\nouter loop\n".to_vec(), "line 3: `outer` where a normal of three numbers was expected; correct it"),
         (b"solid x\nfacet normal 0 0 1\nvertex 0 0 0\n".to_vec(), "line 3: `vertex` where `outer loop` was expected; correct it"),
         (b"solid x\nfacet normal 0 0 1\nouter\nvertex 0 0 0\n".to_vec(), "line 4: `vertex` where `outer loop` was expected; correct it"),
-        (facet(""), "line 4: the file ends where the second `vertex` was expected; complete it, or correct the counts"),
-        (facet("vertex 1 0"), "line 5: the file ends where a coordinate was expected; complete it, or correct the counts"),
+        (facet(""), "line 4: the file ends where the second `vertex` was expected; complete it"),
+        (facet("vertex 1 0"), "line 5: the file ends where a coordinate was expected; complete it"),
         (facet("endloop\nendfacet\nendsolid\n"), "line 5: `endloop` where the second `vertex` was expected; correct it"),
         (text_with("vertex 1 0 0"), "line 6: `endloop` where the third `vertex` was expected; correct it"),
         (text_with("vertex 1 0 0\nvertex 0 1 0\nvertex 0 0 1"), "line 7: `vertex` where `endloop` behind three vertices was expected; correct it"),
@@ -37,7 +37,7 @@ fn every_bad_text_gives_its_error() {
         (text_with("vertex 1/0 0 0\nvertex 0 0 0"), "line 5: `1/0` has the denominator zero; write a fraction p/q with q not zero"),
         (text_with("vertex 1e999999999 0 0\nvertex 0 0 0"), "line 5: the exponent of `1e999999999` is too large in magnitude; the largest allowed is 400"),
         (b"solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nfacet".to_vec(), "line 8: `facet` where `endfacet` was expected; correct it"),
-        (b"solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n\n".to_vec(), "line 9: the file ends where `facet` or `endsolid` was expected; complete it, or correct the counts"),
+        (b"solid x\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n\n".to_vec(), "line 9: the file ends where `facet` or `endsolid` was expected; complete it"),
     ];
     for (bytes, message) in rows {
         let error = read(&bytes, None).unwrap_err();
@@ -64,49 +64,49 @@ fn every_bad_binary_file_gives_its_error() {
         ),
         (
             whole[..233].to_vec(),
-            "byte 233: the file ends where a facet was expected, after 2 of the 4 that the header promises; complete it, or correct the counts",
+            "byte 233: the file ends where a facet was expected, after 2 of the 4 that the header promises; complete it",
         ),
         (
             solid[..283].to_vec(),
-            "byte 283: the file ends where a facet was expected, after 3 of the 4 that the header promises; complete it, or correct the counts",
+            "byte 283: the file ends where a facet was expected, after 3 of the 4 that the header promises; complete it",
         ),
         (
             whole[..84].to_vec(),
-            "byte 84: the file ends where a facet was expected, after 0 of the 4 that the header promises; complete it, or correct the counts",
+            "byte 84: the file ends where a facet was expected, after 0 of the 4 that the header promises; complete it",
         ),
         (
             whole[..83].to_vec(),
-            "byte 83: the file ends where the header of binary STL was expected: 80 bytes, and the number of facets; complete it, or correct the counts",
+            "byte 83: the file ends where the header of binary STL was expected: 80 bytes, and the number of facets; complete it",
         ),
         (
             b"solid\0".to_vec(),
-            "byte 6: the file ends where the header of binary STL was expected: 80 bytes, and the number of facets; complete it, or correct the counts",
+            "byte 6: the file ends where the header of binary STL was expected: 80 bytes, and the number of facets; complete it",
         ),
         (
             binary_with(b"x\0", u32::MAX, &[]),
-            "byte 84: the file ends where a facet was expected, after 0 of the 4294967295 that the header promises; complete it, or correct the counts",
+            "byte 84: the file ends where a facet was expected, after 0 of the 4294967295 that the header promises; complete it",
         ),
         (
             binary_with(b"x\0", 5, &TETRAHEDRON),
-            "byte 284: the file ends where a facet was expected, after 4 of the 5 that the header promises; complete it, or correct the counts",
+            "byte 284: the file ends where a facet was expected, after 4 of the 5 that the header promises; complete it",
         ),
         (
             longer(b"\n"),
-            "byte 284: `\\n` after the end of the mesh, whose header promises 4 facets; remove it, or correct the counts",
+            "byte 284: `\\n` after the end of the mesh, whose header promises 4 facets; remove it",
         ),
         (
             longer(&[0; 50]),
-            "byte 284: `\\0\\0\\0\\0\\0\\0\\0\\0` after the end of the mesh, whose header promises 4 facets; remove it, or correct the counts",
+            "byte 284: `\\0\\0\\0\\0\\0\\0\\0\\0` after the end of the mesh, whose header promises 4 facets; remove it",
         ),
         (
             binary_with(b"x\0", 1, &TETRAHEDRON[..2]),
-            "byte 134: `\\xff\\xff\\xff\\xff\\xff\\xff\\xff\\xff` after the end of the mesh, whose header promises 1 facet; remove it, or correct the counts",
+            "byte 134: `\\xff\\xff\\xff\\xff\\xff\\xff\\xff\\xff` after the end of the mesh, whose header promises 1 facet; remove it",
         ),
         (with(96, f32::NAN), "byte 96: `NaN` is not finite; write a finite number"),
         (with(150, f32::INFINITY), "byte 150: `inf` is not finite; write a finite number"),
         (with(278, f32::NEG_INFINITY), "byte 278: `-inf` is not finite; write a finite number"),
-        (Vec::new(), "the file is empty; a mesh was expected"),
-        (b" \n\n".to_vec(), "the file is empty; a mesh was expected"),
+        (Vec::new(), "the file is empty; a model was expected"),
+        (b" \n\n".to_vec(), "the file is empty; a model was expected"),
         (
             b"hello world".to_vec(),
             "line 1: `hello` where `solid`, or the header of binary STL, was expected; correct it",
@@ -117,11 +117,11 @@ fn every_bad_binary_file_gives_its_error() {
         ),
         (
             vec![0; 7],
-            "byte 7: the file ends where the header of binary STL was expected: 80 bytes, and the number of facets; complete it, or correct the counts",
+            "byte 7: the file ends where the header of binary STL was expected: 80 bytes, and the number of facets; complete it",
         ),
         (
             [0x81, 0, 0xFE].repeat(30),
-            "byte 90: the file ends where a facet was expected, after 0 of the 4261446142 that the header promises; complete it, or correct the counts",
+            "byte 90: the file ends where a facet was expected, after 0 of the 4261446142 that the header promises; complete it",
         ),
     ];
     for (bytes, message) in rows {

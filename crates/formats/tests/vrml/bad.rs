@@ -9,13 +9,12 @@ const BAD: &[(&str, &str, &str)] = &[
     (
         "a node that is not closed",
         "Shape {\n geometry NULL\n",
-        "line 3: the file ends where `}` was expected, for the `{` of line 2; complete it, or correct the counts",
+        "line 3: the file ends where `}` was expected, for the `{` of line 2; complete it",
     ),
     (
         "a string that is not closed",
         "WorldInfo { title \"a\n\\\" } ",
-        "line 3: the file ends where the `\"` was expected that closes the string of line 2; complete it, or correct \
-         the counts",
+        "line 3: the file ends where the `\"` was expected that closes the string of line 2; complete it",
     ),
     (
         "brackets that do not fit",
@@ -152,9 +151,9 @@ const BAD_INDICES: &[(&str, &str, &str)] = &[
     (
         "index too large",
         "[0 1 3]",
-        "line 3: vertex index 3, but the file has 3 vertices; indices run from 0 to 2",
+        "line 3: vertex index 3, but there are 3 vertices; indices run from 0 to 2",
     ),
-    ("negative", "[0 1 -2]", "line 3: vertex index -2, but the file has 3 vertices; indices run from 0 to 2"),
+    ("negative", "[0 1 -2]", "line 3: vertex index -2, but there are 3 vertices; indices run from 0 to 2"),
     ("a word", "[0 1 two]", "line 3: `two` is no vertex index; write whole numbers counted from 0"),
     ("a decimal", "[0 1 2.0]", "line 3: `2.0` is no vertex index; write whole numbers counted from 0"),
     ("no list", "0", "line 3: `0` where `[` was expected; correct it"),
@@ -193,7 +192,7 @@ fn other_headers_are_named() {
             "#VRML V1.0 ascii\nSeparator { }",
             "line 1: VRML V1.0 ascii cannot be read; convert it to VRML 2 (VRML97)",
         ),
-        ("# nothing", "the file is empty; a mesh was expected"),
+        ("# nothing", "the file is empty; a model was expected"),
         ("\nShape { }", "line 2: `Shape` where `#VRML V2.0 utf8` in the first line was expected; correct it"),
     ];
     for (text, message) in rows {
