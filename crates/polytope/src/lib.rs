@@ -3,8 +3,8 @@
 //! | module | what it does |
 //! |---|---|
 //! | `polytope`, `measure`, `validity` | the halfedge polytope, its volume, what it promises |
-//! | `polygon_mesh`, `facets`, `mesh` | meshes as files have them, and the way from them to polytopes |
-//! | `triangulate` | facets cut into triangles |
+//! | `polygon_mesh`, `facets`, `mesh` | meshes as files have them: mended, and the way from them to polytopes |
+//! | `triangulate` | facets cut into triangles, with holes or without |
 //! | `hull` | the convex hull of any finite point set |
 //! | `overlay`, `sum` | the Minkowski sum by the overlay of Gaussian maps |
 

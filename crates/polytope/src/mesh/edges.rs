@@ -2,8 +2,8 @@
 
 use crate::Facets;
 
-/// The corners of all facets, each standing for the edge from it to the next corner of its cycle, sorted by the
-/// ends of these edges.
+/// The corners of all facets, each standing for the edge from it to the next corner of its cycle, sorted by
+/// the ends of these edges.
 pub(super) struct EdgeTable<'f> {
     facets: &'f Facets,
     /// The facet of each corner.
@@ -75,7 +75,8 @@ impl<'f> EdgeTable<'f> {
         self.sorted.chunk_by(|&c, &d| self.ends(c) == self.ends(d))
     }
 
-    /// Whether as many facets run through each edge in one direction as in the other: then they enclose a volume.
+    /// Whether as many facets run through each edge in one direction as in the other: then they enclose a
+    /// volume.
     pub(super) fn is_balanced(&self) -> bool {
         let up = |&&corner: &&u32| self.source(corner) < self.target(corner);
         self.edges().all(|edge| 2 * edge.iter().filter(up).count() == edge.len())

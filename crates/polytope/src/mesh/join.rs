@@ -1,13 +1,13 @@
 //! Flat edges joined: facets and edges become as large as they can be.
 //!
 //! 1. Edges without length are contracted, and facets without area taken out ([`super::slack`]).
-//! 2. An edge goes if exactly two facets run through it, in opposite directions and in one plane with one normal,
-//!    or one facet both ways.
-//! 3. What is left of the boundaries is walked around: at the end of an edge, the fan of facets that are joined leads
-//!    to the next one. So a walk goes around a connected inside, and where it comes to a vertex again, a cycle is
-//!    closed there. All cycles are simple.
-//! 4. Of the cycles of a facet those with positive area are outer ones, usually one; the others are holes, also
-//!    those of two vertices: an edge that is run through both ways, and has other facets too.
+//! 2. An edge goes if exactly two facets run through it, in opposite directions and in one plane with one
+//!    normal, or one facet both ways.
+//! 3. What is left of the boundaries is walked around: at the end of an edge, the fan of facets that are
+//!    joined leads to the next one. So a walk goes around a connected inside, and where it comes to a vertex
+//!    again, a cycle is closed there. All cycles are simple.
+//! 4. Of the cycles of a facet those with positive area are outer ones, usually one; the others are holes,
+//!    also those of two vertices: an edge that is run through both ways, and has other facets too.
 //! 5. A vertex goes if all cycles there run straight through it, along the same two edges.
 //!
 //! Nothing but 1 and 5 needs a coordinate besides signs of planes and areas; no step needs a closed surface.
@@ -40,7 +40,8 @@ impl Joined {
     }
 }
 
-/// Joins what is flat, if any facet has area. Facets that are not planar, or have two vertices only, stay as they are.
+/// Joins what is flat, if any facet has area. Facets that are not planar, or have two vertices only, stay as
+/// they are.
 ///
 /// # Complexity
 /// `n log n`; for a facet that is several by itself, its outer cycles times its holes.
@@ -230,7 +231,8 @@ fn winding(cycle: &[&Point3], p: &Point3, normal: &Vector3) -> Option<bool> {
     let mut inside = false;
     for (i, &a) in cycle.iter().enumerate() {
         let b = cycle[(i + 1) % cycle.len()];
-        // A ray upwards from the point: in the lexicographic order it lies to the right of all that is before it.
+        // A ray upwards from the point: in the lexicographic order it lies to the right of all that is before
+        // it.
         let (low, high) = if a <= b { (a, b) } else { (b, a) };
         if p == low || p == high {
             return None;

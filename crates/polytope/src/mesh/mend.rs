@@ -11,8 +11,8 @@ use exact::Sign;
 /// What is mended besides what always is.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Mending {
-    /// Whether flat edges are joined: coplanar neighbors that face the same side become one facet, and collinear
-    /// edges one edge. Facets without area go with that.
+    /// Whether flat edges are joined: coplanar neighbors that face the same side become one facet, and
+    /// collinear edges one edge. Facets without area go with that.
     pub join: bool,
 }
 
@@ -34,26 +34,26 @@ pub struct Mended {
 pub struct Hole {
     /// The facet.
     pub facet: u32,
-    /// Its vertices, clockwise seen from outside. Two for an edge inside the facet, or from its boundary inwards, at
-    /// which other facets meet it.
+    /// Its vertices, clockwise seen from outside. Two for an edge inside the facet, or from its boundary
+    /// inwards, at which other facets meet it.
     pub cycle: Vec<u32>,
 }
 
 impl PolygonMesh {
-    /// Mends what can be mended without a tolerance, whatever the mesh is: convex or not, closed or not. What was
-    /// mended is added to `notes`.
+    /// Mends what can be mended without a tolerance, whatever the mesh is: convex or not, closed or not. What
+    /// was mended is added to `notes`.
     ///
     /// 1. Vertices on no facet are dropped. If there is no facet, all are kept but repeated ones.
-    /// 2. If the facets do not form a closed surface by their indices, vertices at equal positions are welded.
-    ///    Facets that are left with fewer than three vertices go.
+    /// 2. If the facets do not form a closed surface by their indices, vertices at equal positions are
+    ///    welded. Facets that are left with fewer than three vertices go.
     /// 3. If the surface encloses a negative volume, all facets are turned round. So a void stays a void.
-    /// 4. On demand, flat edges are joined ([`Mending::join`]). A facet may have holes then; its cycles are simple,
-    ///    and may touch one another at vertices.
+    /// 4. On demand, flat edges are joined ([`Mending::join`]). A facet may have holes then; its cycles are
+    ///    simple, and may touch one another at vertices.
     ///
-    /// Degenerate: a surface that encloses no volume keeps its orientation, and so does one with borders. Facets
-    /// without area are kept unless flat edges are joined; then a vertex of theirs that lies inside an edge of a
-    /// neighbor becomes a vertex of the neighbor. If no facet has area, none of them goes. Facets of two vertices are kept, if
-    /// there are no others.
+    /// Degenerate: a surface that encloses no volume keeps its orientation, and so does one with borders.
+    /// Facets without area are kept unless flat edges are joined; then a vertex of theirs that lies inside an
+    /// edge of a neighbor becomes a vertex of the neighbor. If no facet has area, none of them goes. Facets
+    /// of two vertices are kept, if there are no others.
     ///
     /// ```
     /// use exact::Point3;
@@ -70,8 +70,8 @@ impl PolygonMesh {
     /// ```
     ///
     /// # Errors
-    /// No vertex, an index that is none, a facet of two vertices beside larger ones, or a facet of four or more
-    /// corners that do not lie in one plane ([`triangulated`](Self::triangulated) is a way out).
+    /// No vertex, an index that is none, a facet of two vertices beside larger ones, or a facet of four or
+    /// more corners that do not lie in one plane ([`triangulated`](Self::triangulated) is a way out).
     ///
     /// # Complexity
     /// `n log n`, and about ten times the memory of the mesh.

@@ -1,9 +1,10 @@
 //! Facets without area taken out of a mesh.
 //!
-//! Programs put them where a vertex of one facet lies inside an edge of another: so the surface is closed by its
-//! indices. Facets without area that hang together lie on one line. Taken out all at once, they leave edges that
-//! overlap; when these get all vertices of the facets taken out that lie between their ends, they match again.
-//! For each of those facets ran, between any two neighboring vertices of the line, as often forth as back.
+//! Programs put them where a vertex of one facet lies inside an edge of another: so the surface is closed by
+//! its indices. Facets without area that hang together lie on one line. Taken out all at once, they leave
+//! edges that overlap; when these get all vertices of the facets taken out that lie between their ends, they
+//! match again. For each of those facets ran, between any two neighboring vertices of the line, as often
+//! forth as back.
 
 use super::edges::{EdgeTable, Groups};
 use super::shape::Shape;
@@ -11,8 +12,8 @@ use super::weld::Compact;
 use crate::Facets;
 use exact::Point3;
 
-/// How many vertices a component may insert into edges, for each corner of it and each of these edges. More come
-/// only from a mesh that is made to grow; then the component is kept.
+/// How many vertices a component may insert into edges, for each corner of it and each of these edges. More
+/// come only from a mesh that is made to grow; then the component is kept.
 const MOST_INSERTED: usize = 8;
 
 const NONE: u32 = u32::MAX;

@@ -38,8 +38,8 @@ impl Compact {
         compact
     }
 
-    /// Drops the vertices that are neither on a facet nor in one of the other cycles, and gives those that are kept
-    /// their new index.
+    /// Drops the vertices that are neither on a facet nor in one of the other cycles, and gives those that
+    /// are kept their new index.
     pub(super) fn drop_unused(&mut self, others: &[&[u32]]) -> Option<Vec<u32>> {
         let mut used = vec![false; self.points.len()];
         let corners = self.facets.corners().iter().chain(others.iter().copied().flatten());
@@ -66,8 +66,8 @@ impl Compact {
         Some(label)
     }
 
-    /// The closed surface of the facets by their indices, or else after vertices at equal positions are welded.
-    /// Facets with less than `least` different corners in a row go with that.
+    /// The closed surface of the facets by their indices, or else after vertices at equal positions are
+    /// welded. Facets with less than `least` different corners in a row go with that.
     pub(super) fn close(&mut self, least: usize, notes: &mut Vec<Note>) -> Result<Mesh, Defect> {
         if let Ok(halfedges) = closed(self) {
             return Ok(halfedges);
@@ -107,8 +107,8 @@ impl Compact {
         }
     }
 
-    /// Makes each vertex the one that `label` names. Corners that become equal to the one before them go,
-    /// and so do facets that are left with too few, whose number is given, and vertices that are on no facet then
+    /// Makes each vertex the one that `label` names. Corners that become equal to the one before them go, and
+    /// so do facets that are left with too few, whose number is given, and vertices that are on no facet then
     /// (but not if there is no facet any more).
     fn merge(&mut self, label: &[u32], least: usize) -> usize {
         let mut facets = Facets::with_capacity(self.facets.len(), self.facets.corners().len());

@@ -20,13 +20,14 @@ pub enum HoleError {
     },
     /// The outer cycle encloses no area.
     NoArea,
-    /// Two edges of the boundary cross or overlap, or one touches the other elsewhere than at a vertex of both.
+    /// Two edges of the boundary cross or overlap, or one touches the other elsewhere than at a vertex of
+    /// both.
     Tangled {
         /// The ends of both, in the directions of their cycles.
         edges: [[u32; 2]; 2],
     },
-    /// The facet is not on the left of the edge only: a hole is outside of the outer cycle, or in another hole, or
-    /// runs the wrong way round.
+    /// The facet is not on the left of the edge only: a hole is outside of the outer cycle, or in another
+    /// hole, or runs the wrong way round.
     Astray {
         /// The ends of the edge.
         edge: [u32; 2],
@@ -57,17 +58,18 @@ impl fmt::Display for HoleError {
 
 impl std::error::Error for HoleError {}
 
-/// Cuts a planar facet with holes into triangles of its vertices, exactly. They are counterclockwise seen from the
-/// front, cover the facet once, and have each edge of a cycle as an edge.
+/// Cuts a planar facet with holes into triangles of its vertices, exactly. They are counterclockwise seen
+/// from the front, cover the facet once, and have each edge of a cycle as an edge.
 ///
-/// The cycles are lists of indices into `points`; the outer one is counterclockwise and holes are clockwise, both
-/// seen from the front. For c corners and h holes, none of one corner and none touching another cycle, there are
-/// c + 2 h - 2 triangles.
+/// The cycles are lists of indices into `points`; the outer one is counterclockwise and holes are clockwise,
+/// both seen from the front. For c corners and h holes, none of one corner and none touching another cycle,
+/// there are c + 2 h - 2 triangles.
 ///
-/// Degenerate: cycles may touch one another and themselves at vertices, have straight corners, and run through an
-/// edge both ways. A hole of two corners is such an edge, and a hole of one corner a vertex inside: both are in
-/// the triangulation, but a hole of one corner that is not inside the facet is ignored. Different vertices at one
-/// place are told apart; where a piece of the facet has its corner at both, the boundary is tangled.
+/// Degenerate: cycles may touch one another and themselves at vertices, have straight corners, and run
+/// through an edge both ways. A hole of two corners is such an edge, and a hole of one corner a vertex
+/// inside: both are in the triangulation, but a hole of one corner that is not inside the facet is ignored.
+/// Different vertices at one place are told apart; where a piece of the facet has its corner at both, the
+/// boundary is tangled.
 ///
 /// ```
 /// use exact::Point3;

@@ -59,7 +59,8 @@ impl PolygonMesh {
     /// edge both ways, and touch itself at a vertex from within: so some files have facets with holes.
     ///
     /// # Errors
-    /// The first facet that encloses no area, or is planar and crosses itself, or touches itself in another way.
+    /// The first facet that encloses no area, or is planar and crosses itself, or touches itself in another
+    /// way.
     ///
     /// # Complexity
     /// Linear in the corners of strictly convex facets; `k log k` for another facet of k corners.

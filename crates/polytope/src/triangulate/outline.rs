@@ -1,4 +1,5 @@
-//! The boundary of a facet in its plane: corners in an order of the plane, edges, and where three corners turn.
+//! The boundary of a facet in its plane: corners in an order of the plane, edges, and where three corners
+//! turn.
 
 use exact::{Integer, Point3, Sign, Vector3, predicate};
 use std::cmp::Ordering;
@@ -35,8 +36,8 @@ impl Edge {
 }
 
 impl<'a> Outline<'a> {
-    /// From cycles in the plane with that normal, or, if they are not planar, from their projection along it. The
-    /// normal must not be zero.
+    /// From cycles in the plane with that normal, or, if they are not planar, from their projection along it.
+    /// The normal must not be zero.
     ///
     /// # Errors
     /// Two vertices that follow each other at the same place.

@@ -1,27 +1,28 @@
 //! A facet with holes, cut into triangles by a sweep.
 //!
 //! The corners are visited in an order of the plane, which we imagine from left to right; above and below are
-//! as seen then, and of two corners on one vertical line the lower comes first. The *status* has the edges that
-//! begin before the sweep line and do not end before it, from bottom to top. A *gap* is a part of the facet
-//! between two consecutive edges of the status; everything to the left of its *chain* has been cut into
-//! triangles. The chain runs from the last visited corner of the lower edge up to that of the upper edge. It has
-//! no corner that could be cut off: seen from the right, none is less than half a turn.
+//! as seen then, and of two corners on one vertical line the lower comes first. The *status* has the edges
+//! that begin before the sweep line and do not end before it, from bottom to top. A *gap* is a part of the
+//! facet between two consecutive edges of the status; everything to the left of its *chain* has been cut into
+//! triangles. The chain runs from the last visited corner of the lower edge up to that of the upper edge. It
+//! has no corner that could be cut off: seen from the right, none is less than half a turn.
 //!
 //! At a corner:
 //! 1. The edges that end there are found in the status by halving. They close the gaps between them: what is
 //!    left of such a gap is seen from the corner, and becomes a fan.
-//! 2. The corner becomes the end of the chain in the gap below and in the gap above them, as soon as the part of
-//!    the chain that it sees is cut off. If no edge ends there, but the corner lies in a gap, it sees the corner
-//!    that was the last one visited in this gap; the chain is cut in two there.
+//! 2. The corner becomes the end of the chain in the gap below and in the gap above them, as soon as the part
+//!    of the chain that it sees is cut off. If no edge ends there, but the corner lies in a gap, it sees the
+//!    corner that was the last one visited in this gap; the chain is cut in two there.
 //! 3. The edges that begin there take their place in the status. The gaps between them begin with the corner
 //!    alone. If none begins, the gaps below and above become one.
 //!
-//! Any number of edges may meet at a corner, in any direction: touching cycles, edges that are run through both
-//! ways, and corners on no edge at all are no special cases.
+//! Any number of edges may meet at a corner, in any direction: touching cycles, edges that are run through
+//! both ways, and corners on no edge at all are no special cases.
 //!
 //! Nothing is assumed about the input. Edges that become neighbors in the status are checked for a crossing,
-//! which finds the first one (Shamos and Hoey), and edges around a corner must in turn have the facet on their
-//! one and on their other side. So the boundary winds once around what is cut and not at all around the rest.
+//! which finds the first one (Shamos and Hoey), and edges around a corner must in turn have the facet on
+//! their one and on their other side. So the boundary winds once around what is cut and not at all around the
+//! rest.
 
 use super::outline::Outline;
 use exact::Sign;
@@ -163,8 +164,8 @@ impl Sweep<'_, '_> {
         seams.into_iter().try_for_each(|seam| self.check_seam(seam))
     }
 
-    /// Sorts edges that start at one place from bottom to top. Where two run through the same edge, the facet is
-    /// on both sides of them.
+    /// Sorts edges that start at one place from bottom to top. Where two run through the same edge, the facet
+    /// is on both sides of them.
     fn sort(&self, starting: &mut [u32]) -> Result<(), Fault> {
         let outline = self.outline;
         let turn = |a: u32, b: u32| {
@@ -186,8 +187,8 @@ impl Sweep<'_, '_> {
         Ok(())
     }
 
-    /// Checks the edges around a corner, counterclockwise from straight down: in turn one must leave the corner,
-    /// so that the facet is behind it, and the next arrive there, at the same vertex.
+    /// Checks the edges around a corner, counterclockwise from straight down: in turn one must leave the
+    /// corner, so that the facet is behind it, and the next arrive there, at the same vertex.
     fn check_ring(&self, ending: &[u32], starting: &[u32], inside: bool) -> Result<(), Fault> {
         let outline = self.outline;
         if let Some(&edge) = starting.first()

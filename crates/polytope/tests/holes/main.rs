@@ -1,17 +1,20 @@
-//! Facets with holes, cut into triangles. The oracle: all triangles are positive, no two overlap, and their edges,
-//! where they do not cancel, are those of the boundary.
+//! Facets with holes, cut into triangles. The oracle: all triangles are positive, no two overlap, and their
+//! edges, where they do not cancel, are those of the boundary.
 
 #![allow(clippy::print_stdout, reason = "tests print their seeds and what they have met")]
+
+mod random;
 
 use exact::Point3;
 use splitstar_polytope::{Facets, HoleError, PolygonMesh, TriangulateError, triangulate_with_holes};
 use std::collections::{BTreeMap, BTreeSet};
-use testkit::{Rng, mesh};
+use testkit::mesh;
 
 type Place = [i64; 2];
 type Lift = fn(Place) -> [i64; 3];
 
-/// Planes in which the front is seen from positive `z`, `x` or `y`, tilted or not, and ways to turn and mirror them.
+/// Planes in which the front is seen from positive `z`, `x` or `y`, tilted or not, and ways to turn and
+/// mirror them.
 const PLANES: [Lift; 8] = [
     |[x, y]| [x, y, 3],
     |[x, y]| [5 * x, 5 * y, -x - 2 * y],
@@ -240,151 +243,6 @@ fn touching_without_a_common_vertex() {
         check_triangles("two vertices", &places, &cycles, &triangles);
         assert_eq!(triangles.len(), 5);
     }
-}
-
-/// A piece of a grid: cells that hang together along edges. Its cycles, simple ones, the outer one first.
-fn piece(rng: &mut Rng, size: i64, odds: u64) -> Option<Vec<Vec<Place>>> {
-    let cells: BTreeSet<Place> =
-        (0..size).flat_map(|x| (0..size).map(move |y| [x, y])).filter(|_| rng.below(100) < odds).collect();
-    let mut piece = BTreeSet::new();
-    let mut open = vec![*cells.iter().nth(cells.len() / 2)?];
-    while let Some([x, y]) = open.pop() {
-        if cells.contains(&[x, y]) && piece.insert([x, y]) {
-            open.extend([[x + 1, y], [x - 1, y], [x, y + 1], [x, y - 1]]);
-        }
-    }
-    // Edges with the piece on their left, by their starts.
-    let mut edges: BTreeMap<Place, Vec<Place>> = BTreeMap::new();
-    for &[x, y] in &piece {
-        for ([a, b], beyond) in [
-            ([[x, y], [x + 1, y]], [x, y - 1]),
-            ([[x + 1, y], [x + 1, y + 1]], [x + 1, y]),
-            ([[x + 1, y + 1], [x, y + 1]], [x, y + 1]),
-            ([[x, y + 1], [x, y]], [x - 1, y]),
-        ] {
-            if !piece.contains(&beyond) {
-                edges.entry(a).or_default().push(b);
-            }
-        }
-    }
-    let mut cycles = Vec::new();
-    while let Some((&start, _)) = edges.iter().next() {
-        // A walk that closes a cycle whenever it comes to a place again. Where the piece touches itself it turns
-        // left: around the piece, and not over to the other side.
-        let mut path = vec![start];
-        loop {
-            let Some(&at) = path.last() else { break };
-            let Some(next) = edges.get_mut(&at) else { break };
-            let left = |to: &Place| match path.len() {
-                0 | 1 => 0,
-                n => cross(path[n - 2], at, *to),
-            };
-            let best =
-                (0..next.len()).max_by_key(|&i| left(&next[i])).expect("edges of a place are not empty");
-            let to = next.swap_remove(best);
-            if next.is_empty() {
-                edges.remove(&at);
-            }
-            match path.iter().position(|place| *place == to) {
-                Some(first) => cycles.push(path.split_off(first)),
-                None => {}
-            }
-            path.push(to);
-        }
-    }
-    let area = |cycle: &[Place]| -> i64 {
-        (0..cycle.len()).map(|i| cross([0, 0], cycle[i], cycle[(i + 1) % cycle.len()])).sum()
-    };
-    cycles.sort_by_key(|cycle| area(cycle) < 0);
-    assert_eq!(cycles.iter().filter(|cycle| area(cycle) > 0).count(), 1, "one outer cycle");
-    Some(cycles)
-}
-
-/// Leaves out some of the straight corners at which no other cycle needs a vertex.
-fn thinned(rng: &mut Rng, cycles: &[Vec<Place>], odds: u64) -> Vec<Vec<Place>> {
-    let mut uses: BTreeMap<Place, usize> = BTreeMap::new();
-    cycles.iter().flatten().for_each(|place| *uses.entry(*place).or_default() += 1);
-    let thin = |cycle: &Vec<Place>| {
-        let n = cycle.len();
-        let straight = |i: usize| cross(cycle[(i + n - 1) % n], cycle[i], cycle[(i + 1) % n]) == 0;
-        let kept = (0..n).filter(|&i| !straight(i) || uses[&cycle[i]] > 1 || rng.below(100) >= odds);
-        kept.map(|i| cycle[i]).collect()
-    };
-    cycles.iter().map(thin).collect()
-}
-
-#[test]
-fn pieces_of_grids() {
-    const SEED: u64 = 0x401e_0001;
-    println!("seed {SEED:#x}");
-    let mut rng = Rng::new(SEED);
-    let (mut holes, mut touching) = (0, 0);
-    for case in 0..1500 {
-        let size = 2 + rng.below(7) as i64;
-        let odds = 55 + rng.below(40);
-        let Some(cycles) = piece(&mut rng, size, odds) else { continue };
-        let odds = rng.below(101);
-        let thin = thinned(&mut rng, &cycles, odds);
-        let (mut places, indices) = indexed(&thin.iter().map(|cycle| &cycle[..]).collect::<Vec<_>>());
-        let corners = thin.iter().map(Vec::len).sum::<usize>();
-        let expected = corners + 2 * thin.len() - 4 - 2 * (corners - places.len());
-        check(&format!("case {case}"), &places, &indices, expected);
-        holes += thin.len() - 1;
-        touching += corners - places.len();
-        // In general position: every corner is moved a little, and all straight ones are there.
-        let (mut moved, indices) = indexed(&cycles.iter().map(|cycle| &cycle[..]).collect::<Vec<_>>());
-        for place in &mut moved {
-            *place = place.map(|c| 10 * c + rng.below(5) as i64 - 2);
-        }
-        std::mem::swap(&mut places, &mut moved);
-        let corners = cycles.iter().map(Vec::len).sum::<usize>();
-        check(
-            &format!("case {case}, moved"),
-            &places,
-            &indices,
-            corners + 2 * cycles.len() - 4 - 2 * (corners - places.len()),
-        );
-    }
-    println!("{holes} holes, {touching} touching corners");
-    assert!(holes > 1000 && touching > 500, "{holes} holes, {touching} touching corners");
-}
-
-/// Any cycles over few places: they are cut into triangles that pass all checks, or refused.
-#[test]
-fn any_cycles() {
-    const SEED: u64 = 0x401e_0002;
-    println!("seed {SEED:#x}");
-    let mut rng = Rng::new(SEED);
-    let (mut done, mut refused) = (0, 0);
-    for case in 0..40_000 {
-        let size = 2 + rng.below(4);
-        let places: Vec<Place> =
-            (0..3 + rng.below(9)).map(|_| [rng.below(size) as i64, rng.below(size) as i64]).collect();
-        let mut cycle = |least: u64, more: u64| -> Vec<u32> {
-            (0..least + rng.below(more)).map(|_| rng.below(places.len() as u64) as u32).collect()
-        };
-        let mut cycles = vec![cycle(3, 5)];
-        for _ in 0..case % 3 {
-            cycles.push(cycle(1, 4));
-        }
-        let lift = PLANES[case % PLANES.len()];
-        match cut(&places, &cycles, lift) {
-            Err(_) => refused += 1,
-            // Seen from the front, which the outer cycle decides.
-            Ok(triangles) => {
-                if doubled_area(&places, &cycles[0]) < 0 {
-                    cycles.iter_mut().for_each(|cycle| cycle.reverse());
-                    let turned: Vec<[u32; 3]> = triangles.iter().map(|&[a, b, c]| [c, b, a]).collect();
-                    check_triangles(&format!("case {case}"), &places, &cycles, &turned);
-                } else {
-                    check_triangles(&format!("case {case}"), &places, &cycles, &triangles);
-                }
-                done += 1;
-            }
-        }
-    }
-    println!("{done} cut, {refused} refused");
-    assert!(done > 1000 && refused > 2000, "{done} cut, {refused} refused");
 }
 
 /// A facet as files without holes write one with holes: the mesh is cut in the same way.
