@@ -118,6 +118,7 @@ impl Point3 {
     /// assert!(Point3::from_f64s([0.0, f64::NAN, 0.0]).is_none());
     /// ```
     #[inline]
+    // tidy: pub f64, because a float comes in through an exact conversion
     pub fn from_f64s(coordinates: [f64; 3]) -> Option<Self> {
         if !coordinates.iter().all(|value| value.is_finite()) {
             return None;

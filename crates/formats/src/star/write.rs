@@ -86,10 +86,8 @@ pub(crate) fn write_mesh(task: &Task<'_>) -> Result<Body, WriteError> {
     let mut used = vec![kind == Kind::Points; mesh.points.len()];
     mesh.facets.corners().iter().for_each(|&corner| used[corner as usize] = true);
     let mut ids = vec![0_u32; mesh.points.len()];
-    let mut next = 0;
-    for vertex in (0..used.len()).filter(|&vertex| used[vertex]) {
-        ids[vertex] = next;
-        next += 1;
+    for (id, vertex) in (0..).zip((0..used.len()).filter(|&vertex| used[vertex])) {
+        ids[vertex] = id;
     }
     let mut text = Text::new(task.unit, task.numerals(Numerals::Fractions));
     text.bytes.reserve(24 * mesh.points.len() + 8 * mesh.facets.corners().len());
