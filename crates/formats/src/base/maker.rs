@@ -29,8 +29,15 @@ const GROWTH: u64 = 2;
 const VERTEX: u64 = GROWTH * size_of::<Point3>() as u64;
 const FACET: u64 = GROWTH * 4;
 const CORNER: u64 = GROWTH * 4;
-/// What a point takes beside its digits, when its numbers do not fit into machine words.
-const WIDE: u64 = 256;
+/// What a point takes on the heap when its numbers do not fit into machine words: four numbers with their floats, and
+/// the digits of those that are longer than two words.
+fn wide_bytes(point: &Point3) -> u64 {
+    let digits = match point.bits() {
+        0..=128 => 0,
+        bits => 4 * (u64::from(bits) * 9 / 64 + 40),
+    };
+    160 + digits
+}
 
 impl<'b> MeshMaker<'b> {
     /// An empty mesh, with empty lists for the places of vertices and facets.
@@ -60,7 +67,7 @@ impl<'b> MeshMaker<'b> {
     /// Appends a vertex, and gives its index.
     #[inline]
     pub(crate) fn vertex(&mut self, point: Point3, place: Place) -> Result<u32, Fault> {
-        let wide = if point.as_narrow().is_some() { 0 } else { WIDE + u64::from(point.bits()) / 2 };
+        let wide = if point.as_narrow().is_some() { 0 } else { wide_bytes(&point) };
         self.budget.charge(VERTEX + GROWTH * self.vertex_places.bytes_each() + wide)?;
         let index = self.vertex_count();
         if index == u32::MAX - 1 {

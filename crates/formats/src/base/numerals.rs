@@ -61,6 +61,13 @@ pub(crate) fn put_point(
         if axis > 0 {
             text.push(b' ');
         }
+        if numerals == Numerals::Decimals
+            && let Some(homogeneous) = point.as_narrow()
+            && let Some((digits, places)) = small_decimal(homogeneous[axis], homogeneous[3])
+        {
+            put_decimal(text, homogeneous[axis] < 0, digits, places);
+            continue;
+        }
         put_number(text, &point.coordinate(axis), numerals, rounding)?;
     }
     Ok(())
@@ -104,6 +111,46 @@ fn put_float(text: &mut Vec<u8>, number: &Rational, rounding: &mut Rounding) -> 
     let written: Rational = decimal.parse().expect("a float is written as a decimal");
     rounding.raise((&written - number).abs());
     Ok(())
+}
+
+/// The digits of the magnitude of a fraction of machine integers, and how many of them stand behind the point: the
+/// common case of [`exact_decimal`]. The denominator is positive.
+fn small_decimal(numerator: i64, denominator: i64) -> Option<(u128, u32)> {
+    let (mut digits, mut rest) = (u128::from(numerator.unsigned_abs()), denominator.unsigned_abs());
+    if digits == 0 {
+        return Some((0, 0));
+    }
+    let twos = rest.trailing_zeros().min(digits.trailing_zeros());
+    (digits, rest) = (digits >> twos, rest >> twos);
+    while rest.is_multiple_of(5) && digits.is_multiple_of(5) {
+        (digits, rest) = (digits / 5, rest / 5);
+    }
+    let twos = rest.trailing_zeros();
+    rest >>= twos;
+    let mut fives = 0;
+    while rest.is_multiple_of(5) {
+        (rest, fives) = (rest / 5, fives + 1);
+    }
+    let places = twos.max(fives);
+    if rest != 1 || places > DIGITS {
+        return None;
+    }
+    let factor = 5_u128.checked_pow(places - fives)?.checked_mul(1_u128.checked_shl(places - twos)?)?;
+    digits = digits.checked_mul(factor)?;
+    (digits < 10_u128.pow(38)).then_some((digits, places))
+}
+
+fn put_decimal(text: &mut Vec<u8>, negative: bool, digits: u128, places: u32) {
+    let sign = if negative { "-" } else { "" };
+    if places == 0 {
+        return put(text, format_args!("{sign}{digits}"));
+    }
+    let power = 10_u128.pow(places.min(38));
+    if places > 38 {
+        return put(text, format_args!("{sign}0.{digits:0>width$}", width = places as usize));
+    }
+    let (whole, fraction) = (digits / power, digits % power);
+    put(text, format_args!("{sign}{whole}.{fraction:0>width$}", width = places as usize));
 }
 
 /// The decimal of a number, if it ends after few digits.
@@ -179,6 +226,31 @@ mod tests {
         for (number, decimal) in rows {
             assert_eq!(written(number, Numerals::Decimals), (decimal.into(), "0".into()), "{number}");
         }
+    }
+
+    #[test]
+    fn the_decimals_of_small_fractions_are_those_of_all() {
+        let mut state = 1_u64;
+        let mut compared = 0;
+        for case in 0..20_000_u32 {
+            state = state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            let twos = (state >> 40) % 58;
+            let fives = (state >> 50) % 26;
+            let denominator = match case % 3 {
+                0 => 1_i64 << twos,
+                1 => 5_i64.pow(fives as u32),
+                _ => 10_i64.pow((fives % 18) as u32) << (twos % 3),
+            };
+            let numerator = (state as i64 >> 4) >> (twos % 40);
+            let number = Rational::new(numerator.into(), denominator.into()).unwrap();
+            let mut text = Vec::new();
+            if let Some((digits, places)) = small_decimal(numerator, denominator) {
+                put_decimal(&mut text, numerator < 0, digits, places);
+                assert_eq!(Some(String::from_utf8(text).unwrap()), exact_decimal(&number), "{number}");
+                compared += 1;
+            }
+        }
+        assert!(compared > 10_000, "{compared}");
     }
 
     #[test]
