@@ -144,8 +144,8 @@ impl Format {
         match word.bytes {
             b"star" => Content::Known(Self::Star),
             word if word.eq_ignore_ascii_case(b"solid") => Content::Known(Self::StlAscii),
-            b"v" | b"vn" | b"vt" | b"vp" | b"f" | b"l" | b"p" | b"o" | b"g" | b"s" | b"mtllib"
-            | b"usemtl" => Content::Known(Self::Obj),
+            b"v" | b"vn" | b"vt" | b"vp" | b"f" | b"fo" | b"l" | b"p" | b"o" | b"g" | b"s" | b"lod"
+            | b"mtllib" | b"usemtl" | b"usemap" | b"cstype" => Content::Known(Self::Obj),
             word if word.ends_with(b"OFF") => Content::Known(Self::Off),
             word if word.starts_with(b"<") => Content::Xml,
             word if word.starts_with(b"{") => Content::Json,
