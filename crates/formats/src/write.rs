@@ -291,7 +291,11 @@ impl fmt::Display for WriteError {
                     let joint = if at == 0 { "" } else { ", and " };
                     write!(f, "{joint}{loss}")?;
                 }
-                f.write_str("; write star, or leave it out with --lossy")
+                let way_out = match losses[..] {
+                    [Loss::Holes(_)] => "; write star, or cut the facets into triangles with --triangulate",
+                    _ => "; write star, or leave it out with --lossy",
+                };
+                f.write_str(way_out)
             }
             Self::Unbounded => {
                 f.write_str("the set is unbounded, and only star can hold it; write star, or cut it off")

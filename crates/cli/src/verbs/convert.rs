@@ -23,7 +23,7 @@ pub(crate) fn convert(run: &Run) -> Result<(), Failure> {
     let units = run.unit.zip(model.unit).map(|(to, from)| unit_scale(from, to));
     model.shape = match model.shape {
         Shape::Mesh(mesh) => mesh_shape(mesh, &mut model.objects, operand, run, &job.console)?,
-        Shape::Complex(complex) => complex_shape(complex, operand, run)?,
+        Shape::Complex(complex) => complex_shape(complex, &mut model.objects, operand, run)?,
     };
     if let Some(map) = affine(units, &run.motion, quaternion.as_ref()) {
         model.shape = model.shape.transformed(&map).expect("no step of a motion flattens space");
@@ -56,10 +56,7 @@ fn mesh_shape(
     for note in notes {
         console.note(&operand.name, None, &note.to_string());
     }
-    for object in objects {
-        let is_before = |&origin: &u32| origin < object.first_facet;
-        object.first_facet = mended.facet_origin.partition_point(is_before) as u32;
-    }
+    move_objects(objects, &mended.facet_origin);
     Ok(shape_of(mended))
 }
 
@@ -89,18 +86,33 @@ pub(super) fn triangulated(mesh: &PolygonMesh, operand: &Operand) -> Result<Poly
     })
 }
 
-fn complex_shape(complex: Complex, operand: &Operand, run: &Run) -> Result<Shape, Failure> {
-    let option = match (run.join, run.triangulate) {
-        (true, _) => "--join",
-        (_, true) => "--triangulate",
-        _ => return Ok(Shape::Complex(complex)),
-    };
-    Err(operand.failure(
-        None,
-        format!(
-            "{option} is for meshes, and this is a complex of cells; --lossy with a mesh format makes it one"
-        ),
-    ))
+/// A complex of cells, cut into triangles if that is wanted. What is a mesh then becomes one.
+fn complex_shape(
+    complex: Complex,
+    objects: &mut [Object],
+    operand: &Operand,
+    run: &Run,
+) -> Result<Shape, Failure> {
+    if run.join {
+        return Err(
+            operand.failure(None, "--join is for meshes, and this is a complex of cells; leave it out")
+        );
+    }
+    if !run.triangulate {
+        return Ok(Shape::Complex(complex));
+    }
+    let (complex, origin) = complex.triangulated().map_err(|(facet, error)| {
+        operand.failure(operand.facet_place(facet), format!("the facet cannot be cut: {error}; correct it"))
+    })?;
+    move_objects(objects, &origin);
+    Ok(complex.as_mesh().map_or(Shape::Complex(complex), Shape::Mesh))
+}
+
+/// Moves objects to facets that were made from others, which are given in ascending order.
+fn move_objects(objects: &mut [Object], origin: &[u32]) {
+    for object in objects {
+        object.first_facet = origin.partition_point(|&facet| facet < object.first_facet) as u32;
+    }
 }
 
 /// The factor that takes lengths in one unit to another.

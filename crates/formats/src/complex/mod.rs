@@ -12,6 +12,7 @@ mod check;
 mod loss;
 mod regular;
 mod summary;
+mod triangles;
 
 pub use check::{Cell, Malformed, Rule};
 pub use loss::Loss;

@@ -55,12 +55,9 @@ impl Complex {
         if end == 0 {
             return Err(WriteError::NothingLeft);
         }
-        // Facets with holes are cut, not left out; but a hole without area is.
-        let left_out = |loss: Loss| match loss {
-            Loss::Holes(_) => (part.closed > 0).then_some(Loss::Holes(part.closed)),
-            other => Some(other),
-        };
-        notes.extend(losses.into_iter().filter_map(left_out).map(WriteNote::LeftOut));
+        // Facets with holes are cut, not left out.
+        let left_out = losses.into_iter().filter(|loss| !matches!(loss, Loss::Holes(_)));
+        notes.extend(left_out.map(WriteNote::LeftOut));
         if part.cut.0 > 0 {
             notes.push(WriteNote::CutHoles { from: part.cut.0, to: part.cut.1 });
         }
@@ -73,6 +70,17 @@ impl Complex {
     }
 }
 
+impl Complex {
+    /// A point for each vertex; those of directions mean nothing.
+    pub(super) fn points_by_vertex(&self) -> Vec<Point3> {
+        let point = |vertex: &Vertex| match &vertex.position {
+            Position::Point(point) => point.clone(),
+            Position::Direction(_) => Point3::ORIGIN,
+        };
+        self.vertices.iter().map(point).collect()
+    }
+}
+
 /// The facets of the regular part. Its vertices are those of the complex until the end, so that errors name these.
 struct Part<'a> {
     complex: &'a Complex,
@@ -81,27 +89,18 @@ struct Part<'a> {
     facets: Facets,
     /// The numbers of facets with holes that were cut, and of their triangles.
     cut: (usize, usize),
-    /// The number of facets that lost a hole of one or two vertices.
-    closed: usize,
 }
 
 impl<'a> Part<'a> {
     fn of(complex: &'a Complex) -> Self {
-        let point = |vertex: &Vertex| match &vertex.position {
-            Position::Point(point) => point.clone(),
-            Position::Direction(_) => Point3::ORIGIN,
-        };
-        let points = complex.vertices.iter().map(point).collect();
-        Self { complex, points, facets: Facets::new(), cut: (0, 0), closed: 0 }
+        Self { complex, points: complex.points_by_vertex(), facets: Facets::new(), cut: (0, 0) }
     }
 
     /// Appends a facet, the side that does not belong to the set in front.
     fn push(&mut self, index: usize, facet: &Facet) -> Result<(), WriteError> {
         let turn = self.complex.is_marked(facet.sides[0]);
-        // A hole of one or two vertices has no area, and disappears.
-        let holes: Vec<&[u32]> =
-            facet.holes.iter().filter(|hole| hole.len() > 2).map(Vec::as_slice).collect();
-        self.closed += usize::from(holes.len() < facet.holes.len());
+        // One of one or two vertices becomes a vertex or an edge between triangles: other facets may meet there.
+        let holes: Vec<&[u32]> = facet.holes.iter().map(Vec::as_slice).collect();
         let mut push = |cycle: &mut [u32]| {
             if turn {
                 cycle.reverse();

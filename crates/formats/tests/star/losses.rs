@@ -1,7 +1,7 @@
 //! What mesh formats refuse, and the regular part.
 
 use crate::{CUBE, examples, read, records};
-use splitstar_formats::{Format, Loss, WriteError, WriteNote, WriteOptions};
+use splitstar_formats::{Format, Loss, Shape, WriteError, WriteNote, WriteOptions};
 
 /// A tetrahedron far away, from vertex 20 on, around a volume.
 fn tetrahedron(at: i32, volumes: [u32; 2]) -> String {
@@ -149,12 +149,30 @@ fn facets_with_holes_are_cut() {
 }
 
 #[test]
-fn holes_without_an_area_disappear() {
+fn holes_without_an_area_become_vertices() {
     let text = records(&CUBE.replace("facet 3 2 1 0", "vertex 8 1/2 1/2 0 unmarked\nfacet 3 2 1 0 hole 8"));
     let (off, notes) = off(&text, true).unwrap();
-    assert_eq!(notes, [WriteNote::LeftOut(Loss::Holes(1)), WriteNote::LeftOut(Loss::Marks(1))]);
-    assert_eq!(notes[0].to_string(), "left out: the holes of 1 facet");
-    assert_eq!(off, crate::losses::off(&records(CUBE), false).unwrap().0);
+    assert_eq!(notes, [WriteNote::LeftOut(Loss::Marks(1)), WriteNote::CutHoles { from: 1, to: 4 }]);
+    assert_eq!(notes[0].to_string(), "left out: 1 mark of its own");
+    let mesh = read(&off).model.shape.mesh().unwrap().clone();
+    assert_eq!((mesh.points.len(), mesh.facets.len()), (9, 5 + 4));
+}
+
+#[test]
+fn a_complex_cut_into_triangles_is_the_same_set() {
+    let shape = read(&records(&tunnel())).model.shape;
+    let Shape::Complex(complex) = shape else { panic!("it has holes") };
+    let (cut, origin) = complex.triangulated().unwrap();
+    assert_eq!((cut.facets.len(), origin.len()), (8 * 2 + 16, 32));
+    assert!(origin.is_sorted() && cut.check().is_ok());
+    assert_eq!(cut.as_mesh().unwrap().facets.len(), 32);
+    // The edges inside a facet that does not belong to the set do not either; those around it do.
+    let open = tunnel().replace("facet 3 2 1 0 hole 8 9 10 11", "facet 3 2 1 0 hole 8 9 10 11 unmarked");
+    let Shape::Complex(complex) = read(&records(&open)).model.shape else { panic!("it has a mark") };
+    let (cut, _) = complex.triangulated().unwrap();
+    let counts = cut.summary();
+    assert_eq!((counts.unmarked.facets, counts.unmarked.edges), (8, 8));
+    assert_eq!(counts.dimension, complex.summary().dimension);
 }
 
 #[test]
