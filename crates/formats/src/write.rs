@@ -59,6 +59,8 @@ pub enum WriteNote {
     NoObjects(usize),
     /// The format does not take so many names of objects as they are.
     NamesChanged(usize),
+    /// So many facets have two corners at the same position once these are rounded.
+    Collapsed(usize),
     /// Left out, because it was allowed.
     LeftOut(Loss),
     /// The format has no holes, and cutting facets was allowed.
@@ -125,6 +127,14 @@ pub(crate) struct Task<'a> {
 pub(crate) struct Body {
     pub(crate) bytes: Vec<u8>,
     pub(crate) rounding: Rounding,
+    /// The number of facets of which two corners became one by rounding.
+    pub(crate) collapsed: usize,
+}
+
+impl Body {
+    pub(crate) fn new(bytes: Vec<u8>, rounding: Rounding) -> Self {
+        Self { bytes, rounding, collapsed: 0 }
+    }
 }
 
 impl Task<'_> {
@@ -186,6 +196,9 @@ pub fn write(model: &Model, options: &WriteOptions) -> Result<Written, WriteErro
             write_mesh(&mesh, &objects, model.unit, options, &mut notes)?
         }
     };
+    if body.collapsed > 0 {
+        notes.push(WriteNote::Collapsed(body.collapsed));
+    }
     let bytes = if gzip { gzip::pack(&body.bytes) } else { body.bytes };
     Ok(Written { bytes, largest_rounding: body.rounding.0, notes })
 }
@@ -264,6 +277,10 @@ impl fmt::Display for WriteNote {
             }
             Self::NamesChanged(names) => {
                 write!(f, "the format takes identifiers only: {names} names of objects changed")
+            }
+            Self::Collapsed(facets) => {
+                let [have, s] = if *facets == 1 { ["has", ""] } else { ["have", "s"] };
+                write!(f, "{facets} facet{s} {have} two corners at the same position once rounded")
             }
             Self::LeftOut(loss) => write!(f, "left out: {loss}"),
             Self::CutHoles { from, to } => {

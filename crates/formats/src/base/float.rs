@@ -72,6 +72,13 @@ fn exact_f32s(point: &Point3) -> Option<[f32; 3]> {
     exact.then(|| [x, y, z].map(|value| value as f32 / weight as f32))
 }
 
+/// Whether two corners of a triangle are the same.
+pub(crate) fn is_collapsed([a, b, c]: [[f32; 3]; 3]) -> bool {
+    let bits = |corner: [f32; 3]| corner.map(|float| (float + 0.0).to_bits());
+    let [a, b, c] = [bits(a), bits(b), bits(c)];
+    a == b || b == c || c == a
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,7 +5,7 @@
 //! exactly, before the coordinates are rounded; one without is written as it is. The axes are kept: what
 //! shows the file takes y for up.
 
-use crate::base::float::nearest_f32s;
+use crate::base::float::{is_collapsed, nearest_f32s};
 use crate::base::model::{Kind, Unit};
 use crate::base::numerals::Rounding;
 use crate::format::Format;
@@ -41,17 +41,17 @@ pub(crate) fn write(task: &Task<'_>) -> Result<Body, WriteError> {
         let name = task.objects.first().map_or("", |object| object.name.as_str());
         let all: Vec<u32> = (0..mesh.points.len() as u32).collect();
         if !all.is_empty() {
-            let positions = file.add_positions(task, &all, &mut rounding)?;
+            let (positions, _) = file.add_positions(task, &all, &mut rounding)?;
             file.add_mesh(name, json!({ "attributes": { "POSITION": positions }, "mode": POINTS }));
         }
-        return Ok(Body { bytes: file.into_bytes()?, rounding });
+        return Ok(Body::new(file.into_bytes()?, rounding));
     }
+    let mut collapsed = 0;
     let mode = if kind == Kind::Segments { LINES } else { TRIANGLES };
     // Where each vertex stands among those of its run; what other runs have left here is not looked at.
     let mut local = vec![0_u32; mesh.points.len()];
     for (name, run) in task.runs() {
-        let corners: Vec<u32> =
-            mesh.facets.iter().skip(run.start).take(run.len()).flatten().copied().collect();
+        let corners: Vec<u32> = run.flat_map(|facet| mesh.facets.get(facet)).copied().collect();
         if corners.is_empty() {
             file.add_node(name, None);
             continue;
@@ -62,12 +62,17 @@ pub(crate) fn write(task: &Task<'_>) -> Result<Body, WriteError> {
         for (at, &vertex) in used.iter().enumerate() {
             local[vertex as usize] = at as u32;
         }
-        let positions = file.add_positions(task, &used, &mut rounding)?;
+        let (positions, floats) = file.add_positions(task, &used, &mut rounding)?;
+        if mode == TRIANGLES {
+            let position = |vertex: u32| floats[local[vertex as usize] as usize];
+            let triangles = corners.as_chunks::<3>().0;
+            collapsed += triangles.iter().filter(|corners| is_collapsed(corners.map(position))).count();
+        }
         let indices = file.add_indices(corners.iter().map(|&vertex| local[vertex as usize]))?;
         let attributes = json!({ "POSITION": positions });
         file.add_mesh(name, json!({ "attributes": attributes, "indices": indices, "mode": mode }));
     }
-    Ok(Body { bytes: file.into_bytes()?, rounding })
+    Ok(Body { bytes: file.into_bytes()?, rounding, collapsed })
 }
 
 /// The parts of a file. Objects of JSON have their keys in alphabetical order, so that the bytes are the same
@@ -82,19 +87,21 @@ struct Assembly {
 }
 
 impl Assembly {
-    /// Appends the positions of some vertices, and gives the index of their accessor.
+    /// Appends the positions of some vertices, and gives the index of their accessor, and them.
     fn add_positions(
         &mut self,
         task: &Task<'_>,
         vertices: &[u32],
         rounding: &mut Rounding,
-    ) -> Result<usize, WriteError> {
+    ) -> Result<(usize, Vec<[f32; 3]>), WriteError> {
+        let mut positions = Vec::with_capacity(vertices.len());
         let view = self.add_view(12 * vertices.len(), ARRAY_BUFFER)?;
         let (mut min, mut max) = ([f32::INFINITY; 3], [f32::NEG_INFINITY; 3]);
         for &vertex in vertices {
             let vertex = vertex as usize;
             let point = in_meters(&task.mesh.points[vertex], task.unit);
             let floats = nearest_f32s(&point, rounding).map_err(too_large(vertex))?;
+            positions.push(floats);
             for axis in 0..3 {
                 min[axis] = min[axis].min(floats[axis]);
                 max[axis] = max[axis].max(floats[axis]);
@@ -109,7 +116,7 @@ impl Assembly {
             "min": min.map(f64::from),
             "type": "VEC3",
         }));
-        Ok(self.accessors.len() - 1)
+        Ok((self.accessors.len() - 1, positions))
     }
 
     /// Appends indices into the positions of a run, and gives the index of their accessor.

@@ -38,7 +38,7 @@ pub(crate) fn write(task: &Task<'_>) -> Result<Body, WriteError> {
             bytes.push(b'\n');
         }
     }
-    Ok(Body { bytes, rounding })
+    Ok(Body::new(bytes, rounding))
 }
 
 /// A name that comes back when it is read, if it has no line break.

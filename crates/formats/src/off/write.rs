@@ -23,7 +23,7 @@ pub(crate) fn write(task: &Task<'_>) -> Result<Body, WriteError> {
         }
         bytes.push(b'\n');
     }
-    Ok(Body { bytes, rounding })
+    Ok(Body::new(bytes, rounding))
 }
 
 fn count_edges(facets: &Facets) -> usize {

@@ -26,7 +26,7 @@ pub(crate) fn write(task: &Task<'_>, format: Format) -> Result<Body, WriteError>
             bytes.push(b'\n');
         }
         put_cycles_as_text(&mut bytes, task, kind);
-        return Ok(Body { bytes, rounding });
+        return Ok(Body::new(bytes, rounding));
     }
     let big_endian = format == Format::PlyBigEndian;
     for (vertex, point) in mesh.points.iter().enumerate() {
@@ -48,7 +48,7 @@ pub(crate) fn write(task: &Task<'_>, format: Format) -> Result<Body, WriteError>
             put_u32(&mut bytes, index);
         }
     }
-    Ok(Body { bytes, rounding })
+    Ok(Body::new(bytes, rounding))
 }
 
 fn put_header(bytes: &mut Vec<u8>, task: &Task<'_>, format: Format, kind: Kind, short: bool) {

@@ -157,6 +157,6 @@ impl Text {
 
     fn end(mut self) -> Body {
         self.bytes.extend_from_slice(b"end\n");
-        Body { bytes: self.bytes, rounding: self.rounding }
+        Body::new(self.bytes, self.rounding)
     }
 }

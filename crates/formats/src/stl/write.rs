@@ -1,6 +1,6 @@
 //! STL, written with 32-bit floats or as text.
 
-use crate::base::float::nearest_f32s;
+use crate::base::float::{is_collapsed, nearest_f32s};
 use crate::base::numerals::{Numerals, Rounding, put, put_point};
 use crate::format::Format;
 use crate::write::{Body, Task, WriteError, too_large};
@@ -23,12 +23,14 @@ pub(crate) fn write_binary(task: &Task<'_>) -> Result<Body, WriteError> {
             [0.0; 3]
         });
     }
+    let mut collapsed = 0;
     let mut bytes = Vec::with_capacity(84 + 50 * mesh.facets.len());
     bytes.extend_from_slice(TITLE);
     bytes.resize(HEADER, 0);
     bytes.extend_from_slice(&count.to_le_bytes());
     for cycle in mesh.facets.iter() {
         let corners = triangle(cycle, Format::Stl)?.map(|vertex| positions[vertex as usize]);
+        collapsed += usize::from(is_collapsed(corners));
         let normal = approx_normal(corners.map(|corner| corner.map(f64::from)));
         for vector in [normal, corners[0], corners[1], corners[2]] {
             for float in vector {
@@ -37,7 +39,7 @@ pub(crate) fn write_binary(task: &Task<'_>) -> Result<Body, WriteError> {
         }
         bytes.extend_from_slice(&[0, 0]);
     }
-    Ok(Body { bytes, rounding })
+    Ok(Body { bytes, rounding, collapsed })
 }
 
 /// Writes STL as text: one solid, with the name of the object if there is one only. Coordinates are decimals; the normals are short ones, and only tell
@@ -83,7 +85,7 @@ pub(crate) fn write_ascii(task: &Task<'_>) -> Result<Body, WriteError> {
         bytes.extend_from_slice(b"  endloop\nendfacet\n");
     }
     put(&mut bytes, format_args!("endsolid{blank}{name}\n"));
-    Ok(Body { bytes, rounding })
+    Ok(Body::new(bytes, rounding))
 }
 
 /// Vertices without a facet cannot be written, and what they would lose does not count.

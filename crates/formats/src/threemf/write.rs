@@ -49,7 +49,7 @@ pub(crate) fn write(task: &Task<'_>) -> Result<Body, WriteError> {
     archive.text.extend_from_slice(RELATIONSHIPS.as_bytes());
     archive.file("3D/3dmodel.model", options.large_file(large))?;
     let rounding = put_model(task, &mut archive)?;
-    Ok(Body { bytes: archive.finish()?, rounding })
+    Ok(Body::new(archive.finish()?, rounding))
 }
 
 fn put_model(task: &Task<'_>, archive: &mut Archive) -> Result<Rounding, WriteError> {

@@ -74,7 +74,7 @@ pub(crate) fn write(task: &Task<'_>) -> Result<Body, WriteError> {
         }
         bytes.extend_from_slice(b"  }\n}\n");
     }
-    Ok(Body { bytes, rounding: coordinates.rounding })
+    Ok(Body::new(bytes, coordinates.rounding))
 }
 
 /// A node with the coordinates of all vertices.

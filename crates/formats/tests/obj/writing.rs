@@ -3,6 +3,7 @@
 use super::{GOOD, mesh, read_obj};
 use polytope::PolygonMesh;
 use splitstar_formats::{Format, Kind, Model, Object, WriteOptions, Written, read, write};
+use testkit::{Rng, mutate};
 
 fn model(points: &[[&str; 3]], facets: &[&[u32]], objects: &[(&str, u32)]) -> Model {
     let mut mesh = PolygonMesh { points: Vec::new(), facets: polytope::Facets::new() };
@@ -78,19 +79,6 @@ fn what_is_no_decimal_is_rounded() {
     assert_eq!(write_obj(&again).bytes, written.bytes);
 }
 
-/// SplitMix64 (Steele, Lea and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, bound: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) % bound.max(1) as u64) as usize
-    }
-}
-
 const SPLICES: &[&[u8]] = &[
     b"\\",
     b"\\\n",
@@ -127,21 +115,13 @@ fn changed_files_never_break_the_reader() {
     const SEED: u64 = 0x0B7;
     const CASES: usize = 20_000;
     println!("seed {SEED:#x}, {CASES} cases");
-    let mut random = Random(SEED);
+    let mut random = Rng::new(SEED);
     let mut accepted = 0;
     for case in 0..CASES {
-        let row = &GOOD[random.below(GOOD.len())];
+        let row = &GOOD[random.index(GOOD.len())];
         let mut text = row.text.to_vec();
-        for _ in 0..=random.below(3) {
-            let at = random.below(text.len() + 1);
-            let end = (at + random.below(12)).min(text.len());
-            let splice = match random.below(3) {
-                0 => SPLICES[random.below(SPLICES.len())].to_vec(),
-                1 => text[at..end].to_vec(),
-                _ => Vec::new(),
-            };
-            let to = if random.below(2) == 0 { at } else { end };
-            text.splice(at..to, splice);
+        for _ in 0..=random.index(3) {
+            mutate(&mut text, SPLICES, &mut random);
         }
         let text = [b"v 0 0 0\n", text.trim_ascii_start()].concat();
         match read_obj(&text) {

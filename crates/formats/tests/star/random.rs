@@ -3,23 +3,20 @@
 use crate::{CUBE, examples, model, read, records, write};
 use exact::{Integer, Point3, Vector3};
 use splitstar_formats::{Complex, Edge, Facet, Object, Shape, Vertex};
+use testkit::Rng;
 
 const SEED: u64 = 0x57A2_5EED;
 
-/// SplitMix64 (Steele, Lea and Flood 2014).
-struct Random(u64);
+/// Random cells.
+struct Random(Rng);
 
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
+    fn new(seed: u64) -> Self {
+        Self(Rng::new(seed))
     }
 
     fn below(&mut self, bound: usize) -> usize {
-        (self.next() % bound.max(1) as u64) as usize
+        self.0.index(bound)
     }
 
     fn point(&mut self) -> Point3 {
@@ -88,7 +85,7 @@ impl Random {
 #[test]
 fn random_complexes_come_back() {
     println!("seed {SEED:#x}");
-    let mut random = Random(SEED);
+    let mut random = Random::new(SEED);
     let (mut same, mut meshes, mut lines) = (0, 0, 0);
     for _ in 0..3_000 {
         let complex = random.complex();
@@ -174,7 +171,7 @@ fn mutate(text: &mut Vec<u8>, random: &mut Random) {
     let at = random.below(text.len() + 1);
     match random.below(7) {
         0 if at < text.len() => text[at] ^= 1 << random.below(8),
-        1 if at < text.len() => text[at] = random.next() as u8,
+        1 if at < text.len() => text[at] = random.0.bits() as u8,
         2 => {
             let to = (at + 1 + random.below(40)).min(text.len());
             text.drain(at.min(to)..to);
@@ -214,7 +211,7 @@ fn mutate(text: &mut Vec<u8>, random: &mut Random) {
 #[test]
 fn changed_files_are_read_or_refused() {
     println!("seed {SEED:#x}");
-    let mut random = Random(SEED);
+    let mut random = Random::new(SEED);
     let mut files = examples();
     files.push(records(CUBE));
     let mut accepted = 0;

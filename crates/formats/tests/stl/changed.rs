@@ -3,18 +3,19 @@
 use crate::good::GOOD;
 use crate::{A, B, C, Corners, D, TETRAHEDRON, binary, binary_with, floats, shown};
 use splitstar_formats::{Format, ReadNote, WriteOptions, read, write};
+use testkit::{Rng, mutate};
 
 #[test]
 fn written_is_what_was_read_for_random_floats() {
     const SEED: u64 = 0x0571_F10A;
     println!("seed {SEED:#x}");
-    let mut random = Random(SEED);
+    let mut random = Rng::new(SEED);
     let triangles: Vec<Corners> = (0..500)
         .map(|_| {
             [(); 3].map(|()| {
                 // Few different ones, so that corners meet; all exponents of finite floats.
                 [(); 3].map(|()| {
-                    f32::from_bits(((random.below(3) * 85 + 3) as u32) << 23 | random.below(2) as u32)
+                    f32::from_bits(((random.index(3) * 85 + 3) as u32) << 23 | random.index(2) as u32)
                 })
             })
         })
@@ -30,23 +31,6 @@ fn written_is_what_was_read_for_random_floats() {
     }
     assert_eq!(written.bytes.len(), 84 + 50 * kept.len());
     assert_eq!(model.notes, [ReadNote::DegenerateDropped { facets: 500 - kept.len() }]);
-}
-
-/// SplitMix64 (Steele, Lea and Flood 2014).
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        z ^ (z >> 31)
-    }
-
-    fn below(&mut self, bound: usize) -> usize {
-        (self.next() % bound.max(1) as u64) as usize
-    }
 }
 
 const SPLICES: &[&[u8]] = &[
@@ -77,25 +61,6 @@ const SPLICES: &[&[u8]] = &[
     b"\x01\0\0\0",
 ];
 
-fn mutate(bytes: &mut Vec<u8>, random: &mut Random) {
-    let at = random.below(bytes.len() + 1);
-    let end = (at + random.below(60)).min(bytes.len());
-    let splice = SPLICES[random.below(SPLICES.len())];
-    match random.below(6) {
-        0 if at < bytes.len() => bytes[at] ^= 1 << random.below(8),
-        1 => drop(bytes.splice(at..at, splice.iter().copied())),
-        2 => drop(bytes.splice(at..(at + splice.len()).min(bytes.len()), splice.iter().copied())),
-        3 => drop(bytes.drain(at..end)),
-        4 => {
-            let copy = bytes[at..end].to_vec();
-            let to = random.below(bytes.len() + 1);
-            drop(bytes.splice(to..to, copy));
-        }
-        _ if random.below(8) == 0 => bytes.truncate(at),
-        _ => {}
-    }
-}
-
 #[test]
 fn changed_files_never_break_the_reader() {
     const SEED: u64 = 0x0571_5EED;
@@ -107,12 +72,12 @@ fn changed_files_never_break_the_reader() {
         binary_with(b"solid x\0", 4, &TETRAHEDRON),
         binary(&[[A, B, A], [B, C, D]]),
     ]);
-    let mut random = Random(SEED);
+    let mut random = Rng::new(SEED);
     let mut accepted = 0;
     for case in 0..CASES {
-        let mut bytes = bases[random.below(bases.len())].clone();
-        for _ in 0..=random.below(3) {
-            mutate(&mut bytes, &mut random);
+        let mut bytes = bases[random.index(bases.len())].clone();
+        for _ in 0..=random.index(3) {
+            mutate(&mut bytes, SPLICES, &mut random);
         }
         match read(&bytes, Some("x.stl")) {
             Ok(model) => {
@@ -120,7 +85,9 @@ fn changed_files_never_break_the_reader() {
                 if let Ok(written) = write(&model.model, &WriteOptions::new(Format::StlAscii)) {
                     let again =
                         read(&written.bytes, None).unwrap_or_else(|error| panic!("case {case}: {error}"));
-                    assert_eq!(shown(&again).1.len(), shown(&model).1.len(), "case {case}");
+                    if written.largest_rounding.is_zero() {
+                        assert_eq!(shown(&again).1.len(), shown(&model).1.len(), "case {case}");
+                    }
                 }
             }
             Err(error) => {

@@ -49,6 +49,19 @@ fn a_binary_file_rounds_once_and_says_how_much() {
 }
 
 #[test]
+fn corners_that_rounding_makes_one_are_told() {
+    let near = [["1", "0", "0"], ["1.0000000001", "0", "0"], ["0", "1", "0"], ["0", "0", "1"]];
+    let model = model_of(&near, &[[0, 1, 2], [0, 2, 3], [3, 1, 0]]);
+    for format in [Format::Stl, Format::Glb] {
+        let written = write(&model, &WriteOptions::new(format)).unwrap();
+        assert_eq!(written.notes, [WriteNote::Collapsed(2)]);
+    }
+    let text = WriteNote::Collapsed(2).to_string();
+    assert_eq!(text, "2 facets have two corners at the same position once rounded");
+    assert!(write(&model, &WriteOptions::new(Format::StlAscii)).unwrap().notes.is_empty());
+}
+
+#[test]
 fn a_text_is_written_as_one_solid() {
     let points = [["0", "0", "0"], ["0.1", "0", "0"], ["0", "1/3", "0"], ["0", "0", "1e20"]];
     let mut model = model_of(&points, &[[0, 1, 2], [0, 2, 3], [3, 2, 1]]);
