@@ -4,7 +4,7 @@ use crate::base::model::Kind;
 use crate::base::numerals::{Numerals, Rounding, put, put_number, put_point};
 use crate::write::{Body, Task, WriteError, too_large};
 use exact::{Point3, Sign};
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::ops::Range;
 
 /// The definition of the node with exact coordinates, for readers that do not know it: a `Coordinate` with a
@@ -30,7 +30,7 @@ pub(crate) fn write(task: &Task<'_>) -> Result<Body, WriteError> {
     let has_cells = |facets: &Range<usize>| kind == Kind::Points || !facets.is_empty();
     let runs: Vec<_> = task.runs().into_iter().filter(|(_, facets)| has_cells(facets)).collect();
     let names = identifiers(&runs);
-    let shared = free_name("points", &names);
+    let shared = shared_name(&names);
     for (at, (name, (_, facets))) in names.iter().zip(&runs).enumerate() {
         if !name.is_empty() {
             put(&mut bytes, format_args!("DEF {name} "));
@@ -137,39 +137,36 @@ fn exact_coordinates(points: &[Point3]) -> Coordinates {
 
 /// Names that VRML takes, one for each run: what is no identifier is made one; no name is no name.
 fn identifiers(runs: &[(&str, Range<usize>)]) -> Vec<String> {
-    let mut names: Vec<String> = Vec::with_capacity(runs.len());
-    let mut taken: BTreeSet<String> =
-        runs.iter().filter(|(name, _)| is_identifier(name)).map(|(name, _)| (*name).to_string()).collect();
-    for (name, _) in runs {
-        let name = match name {
-            name if is_identifier(name) => (*name).to_string(),
-            &"" => String::new(),
-            name => {
-                let letters = name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' });
-                let made =
-                    free_name_in(std::iter::once('_').chain(letters).collect(), |name| taken.contains(name));
-                taken.insert(made.clone());
-                made
+    let valid = runs.iter().map(|(name, _)| *name).filter(|name| is_identifier(name));
+    let mut taken: BTreeSet<String> = valid.map(str::to_string).collect();
+    // How often a name was made, so that many runs of one name are not many attempts each.
+    let mut made: BTreeMap<String, u32> = BTreeMap::new();
+    let mut identifier = |name: &str| {
+        let letters = name.chars().map(|c| if c.is_alphanumeric() { c } else { '_' });
+        let base: String = std::iter::once('_').chain(letters).collect();
+        let count = made.entry(base.clone()).or_insert(0);
+        loop {
+            *count += 1;
+            let name = if *count == 1 { base.clone() } else { format!("{base}_{count}") };
+            if taken.insert(name.clone()) {
+                return name;
             }
-        };
-        names.push(name);
-    }
-    names
+        }
+    };
+    let names = runs.iter().map(|&(name, _)| {
+        if name.is_empty() || is_identifier(name) { name.to_string() } else { identifier(name) }
+    });
+    names.collect()
 }
 
-/// A name that is not among those.
-fn free_name(name: &str, names: &[String]) -> String {
-    free_name_in(name.to_string(), |name| names.iter().any(|other| other == name))
-}
-
-fn free_name_in(mut name: String, is_taken: impl Fn(&str) -> bool) -> String {
-    // Doubling what is added keeps the number of attempts small.
-    let mut more = 1;
-    while is_taken(&name) {
-        name.extend(std::iter::repeat_n('_', more));
-        more *= 2;
+/// A name for the coordinates that no object has.
+fn shared_name(names: &[String]) -> String {
+    let names: BTreeSet<&str> = names.iter().map(String::as_str).collect();
+    let mut shared = "points".to_string();
+    while names.contains(shared.as_str()) {
+        shared.push('_');
     }
-    name
+    shared
 }
 
 /// Whether VRML takes it for a name.

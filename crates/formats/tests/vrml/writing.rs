@@ -94,6 +94,18 @@ fn what_is_no_name_is_made_one() {
     }
 }
 
+/// Found by fuzzing OBJ: the names of many objects with one name doubled in length each time.
+#[test]
+fn many_objects_of_one_name_have_short_names() {
+    let facets = vec![&[0_u32, 1, 2][..]; 3_000];
+    let objects: Vec<(&str, u32)> = (0..3_000).map(|at| ("a b", at)).collect();
+    let written = write_vrml(&model(DECIMALS, &facets, &objects), false);
+    assert_eq!(written.notes, [WriteNote::NamesChanged(3_000)]);
+    let objects = read(&written.bytes, None).unwrap().model.objects;
+    assert_eq!(objects[0].name, "_a_b");
+    assert_eq!(objects[2_999].name, "_a_b_3000");
+}
+
 #[test]
 fn floats_are_written_on_request() {
     let mut points = FRACTIONS.to_vec();
