@@ -4,6 +4,8 @@
 #![allow(clippy::unwrap_used)]
 
 mod convert;
+mod defects;
+mod encode;
 mod invalid;
 mod results;
 mod streams;
