@@ -196,7 +196,11 @@ const FORMATS: &[(&str, &[Kind], Outcome)] = &[
     ("index_out_of_range.off", PLY, Refused(Corner(5, 3), OUT_OF_RANGE)),
     ("index_out_of_range.off", THREEMF, Refused(Facet(11), OUT_OF_RANGE)),
     // In OBJ -1 has a meaning: the test below.
-    ("negative_index.off", OBJ, Refused(Facet(5), "`0` is no vertex index; write whole numbers counted from 1")),
+    (
+        "negative_index.off",
+        OBJ,
+        Refused(Facet(5), "`0` is no vertex index; write whole numbers counted from 1"),
+    ),
     ("negative_index.off", PLY, Refused(Corner(5, 3), NEGATIVE)),
     ("negative_index.off", THREEMF, Refused(Facet(11), NEGATIVE)),
     ("coordinate_nan.off", TEXT, Refused(Vertex(0), "`nan` is not finite; write a finite number")),
@@ -295,7 +299,8 @@ fn filled(message: &str, kind: Kind, encoded: &Encoded) -> String {
     let first = usize::from(kind == Kind::Obj);
     let mut message = message.replace("{hull}", "--hull takes the convex hull instead");
     for (index, (number, place)) in encoded.numbers.iter().zip(&encoded.vertices).enumerate() {
-        message = message.replace(&format!("{{v{index}}}"), &format!("vertex {} ({unit} {place})", number + first));
+        message =
+            message.replace(&format!("{{v{index}}}"), &format!("vertex {} ({unit} {place})", number + first));
     }
     for (index, place) in encoded.facets.iter().enumerate() {
         message = message.replace(&format!("{{f{index}}}"), &format!("{index} ({unit} {place})"));

@@ -60,7 +60,6 @@ impl Kind {
         !matches!(self, Self::StlAscii | Self::Stl | Self::ThreeMf)
     }
 
-
     pub(crate) fn is_binary(self) -> bool {
         matches!(self, Self::Stl | Self::Ply | Self::PlyBig)
     }
@@ -85,7 +84,8 @@ impl Mesh {
         let counts: Vec<usize> = records.next().unwrap().map(|word| word.parse().unwrap()).collect();
         let point = |mut words: std::str::Split<'_, char>| [0; 3].map(|_| words.next().unwrap().to_string());
         let points = records.by_ref().take(counts[0]).map(point).collect();
-        let cycle = |words: std::str::Split<'_, char>| words.skip(1).map(|word| word.parse().unwrap()).collect();
+        let cycle =
+            |words: std::str::Split<'_, char>| words.skip(1).map(|word| word.parse().unwrap()).collect();
         let facets = records.map(cycle).collect();
         Self { points, facets, promised: [None; 2] }
     }
@@ -249,7 +249,6 @@ impl Text {
         self.lines += 1;
         self.lines
     }
-
 }
 
 /// A zip archive of files that are not packed.

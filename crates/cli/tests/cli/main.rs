@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod convert;
+mod damaged;
 mod defects;
 mod encode;
 mod invalid;
