@@ -7,7 +7,10 @@ mod convert;
 mod damaged;
 mod defects;
 mod encode;
+mod formats;
 mod invalid;
+#[cfg(target_os = "linux")]
+mod memory;
 mod results;
 mod streams;
 mod usage;
