@@ -283,9 +283,6 @@ fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
     if verb != Verb::Info && run.output.is_none() {
         return Err(usage(verb, "where to write is missing: -o OUT, or -o - for standard output"));
     }
-    if given.contains(&"join") && given.contains(&"triangulate") {
-        return Err(usage(verb, "`--join` and `--triangulate` exclude each other"));
-    }
     if let (Some(output), None) = (&run.output, run.format) {
         encoding_of_name(output).map_err(|sentence| usage(verb, sentence))?;
     }

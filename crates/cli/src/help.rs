@@ -120,8 +120,11 @@ usage: splitstar convert A -o OUT [OPTIONS]
 mended first, with a note each: equal positions are welded where the surface is not closed without
 it, vertices on no facet are dropped, a mesh that is inside out is turned round.
 
-applied in this order:
   --join                join coplanar facets and collinear edges
+  --triangulate         cut facets into triangles, with holes too; the way out for facets that are
+                        not planar. With --join: what is joined is cut
+
+then applied, in this order:
   --unit UNIT           micron, millimeter, centimeter, inch, foot or meter: coordinates in another
                         unit are converted exactly; a file without a unit gets this one
   --scale S             multiply by S, not zero; a negative S also reflects
@@ -131,8 +134,6 @@ applied in this order:
                         rotation less than 1e-12 away; its quaternion is printed
   --quat W,X,Y,Z        turn by a quaternion, exactly; its length does not matter
   --translate X,Y,Z     move
-  --triangulate         cut facets into triangles; the way out for facets that are not planar, and
-                        for those with holes
 
   --lossy               where the format cannot hold it all (holes, marks, pieces of lower
                         dimension), write the regular part and tell what is left out

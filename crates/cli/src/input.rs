@@ -67,17 +67,18 @@ impl Operand {
     pub(crate) fn mesh(&self) -> Result<&PolygonMesh, Failure> {
         match &self.read.model.shape {
             Shape::Mesh(mesh) => Ok(mesh),
-            Shape::Complex(complex) => Err(self.failure(None, no_mesh(complex))),
+            Shape::Complex(complex) => Err(self.failure(None, no_mesh(complex, &self.name))),
         }
     }
 }
 
-fn no_mesh(complex: &Complex) -> String {
+fn no_mesh(complex: &Complex, name: &str) -> String {
     let losses = complex.as_mesh().err().unwrap_or_default();
     let losses: Vec<String> = losses.iter().map(ToString::to_string).collect();
     format!(
-        "a closed polytope is needed, and the file has {}; `splitstar convert --lossy` writes its regular part as a mesh",
-        losses.join(", and ")
+        "a closed polytope is needed, and the file has {}; `splitstar convert {} -o OUT.off --lossy` writes its regular part, if it has one",
+        losses.join(", and "),
+        name
     )
 }
 

@@ -3,7 +3,7 @@
 use crate::failure::one_line;
 use serde::Serialize;
 use splitstar::exact::{Point3, Rational};
-use splitstar::formats::{Complex, Format, Model, Unit};
+use splitstar::formats::{Complex, Format, Loss, Model, Unit};
 use splitstar::polytope::{Bounds, MeshSummary, PolygonMesh, Polytope};
 use std::fmt::Write;
 use std::time::{Duration, Instant};
@@ -137,6 +137,8 @@ impl Report {
                 unmarked,
             }),
             dimension: facts.dimension,
+            // Pieces of lower dimension, and what is missing of the boundary, are not in the regular part.
+            convex: regular.convex && is_regular(complex),
             bounds: Bounds::of(&points).filter(|_| facts.bounded).as_ref().map(Corners::of),
             ..Self::of_summary(&regular)
         }
@@ -241,6 +243,12 @@ impl Corners {
         let shown = |corner: &[Rational; 3]| corner.each_ref().map(Rational::to_string);
         Self { min: shown(&bounds.min), max: shown(&bounds.max) }
     }
+}
+
+/// Whether a set is its regular part.
+fn is_regular(complex: &Complex) -> bool {
+    let losses = complex.as_mesh().err().unwrap_or_default();
+    losses.iter().all(|loss| matches!(loss, Loss::Holes(_) | Loss::Volumes(_)))
 }
 
 /// The widest integer, in bits, among the coordinates and weights of points.

@@ -85,7 +85,7 @@ impl<'b> Unpacked<'b> {
     /// The bytes, charged to the budget.
     pub(crate) fn finish(mut self) -> Result<Vec<u8>, Fault> {
         self.bytes.shrink_to_fit();
-        self.budget.charge(self.bytes.capacity() as u64)?;
+        self.budget.charge_text(self.bytes.capacity() as u64)?;
         Ok(self.bytes)
     }
 }

@@ -18,8 +18,8 @@ use crate::{gzip, obj, off, ply, star, stl, threemf, vrml};
 /// points.
 ///
 /// # Errors
-/// The first thing wrong with the file. Nothing is allocated by what a file promises: memory is at most 32 times its
-/// length and 32 MiB, and a file that needs more is refused.
+/// The first thing wrong with the file. Nothing is allocated by what a file promises: what it takes to read a file
+/// and to work on it is bounded by 64 times its length, as it is stored, and 64 MiB; a file that needs more is refused.
 ///
 /// # Complexity
 /// Linear in the length of the file, unpacked, as long as coordinates have few digits.

@@ -107,7 +107,7 @@ fn bombs_stop_early() {
         let elapsed = start.elapsed();
         assert_eq!(
             error.fault,
-            Fault::TooMuchMemory { allowed: 32 * bomb.len() as u64 + (32 << 20) },
+            Fault::TooMuchMemory { allowed: 62 * bomb.len() as u64 + (58 << 20) },
             "{name}"
         );
         assert!(elapsed < Duration::from_secs(2), "{name}: {elapsed:?}");

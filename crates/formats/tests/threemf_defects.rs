@@ -384,7 +384,7 @@ fn assert_stops(bytes: &[u8], name: &str) {
     let elapsed = start.elapsed();
     assert_eq!(
         error.fault,
-        Fault::TooMuchMemory { allowed: 32 * bytes.len() as u64 + (32 << 20) },
+        Fault::TooMuchMemory { allowed: 62 * bytes.len() as u64 + (58 << 20) },
         "{name}: {error}"
     );
     assert!(elapsed < Duration::from_secs(10), "{name}: {elapsed:?}");

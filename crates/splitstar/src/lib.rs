@@ -8,7 +8,7 @@
 //! | [`exact`] | integers, rationals, vectors, points, planes, rotations, predicates |
 //! | [`dcel`] | halfedge connectivity: what is next to what |
 //! | [`polytope`] | polytopes and meshes, convex hulls, Minkowski sums |
-//! | [`formats`] | OFF text, read and written exactly |
+//! | [`formats`] | files of models (OFF, OBJ, STL, PLY, 3MF, VRML, glTF, star), read and written |
 //!
 //! # A convex hull
 //!
@@ -90,9 +90,9 @@ pub use {dcel, exact, formats, polytope};
 /// ```
 pub mod prelude {
     pub use exact::{Affine3, Integer, Plane, Point3, Quaternion, Rational, Sign, Vector3};
-    pub use formats::{self, Format, Model, ReadError, WriteOptions};
+    pub use formats::{self, Format, Model, Object, ReadError, Shape, Unit, WriteOptions};
     pub use polytope::{
-        Bounds, Counts, FacetId, Facets, HalfedgeId, MeshError, Note, PolygonMesh, Polytope, VertexId,
-        convex_hull, minkowski_sum,
+        Bounds, Counts, FacetId, Facets, HalfedgeId, Mended, Mending, MeshError, MeshSummary, Note,
+        PolygonMesh, Polytope, VertexId, convex_hull, minkowski_sum,
     };
 }

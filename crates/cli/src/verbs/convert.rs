@@ -32,7 +32,7 @@ pub(crate) fn convert(run: &Run) -> Result<(), Failure> {
     job.finish(&Outcome { model, polytope: None, method: "convert", quaternion })
 }
 
-/// A mesh mended, and cut into triangles or joined where that is wanted. Objects move with their facets.
+/// A mesh mended, joined and cut into triangles, as is wanted. Objects move with their facets.
 fn mesh_shape(
     filed: PolygonMesh,
     objects: &mut [Object],
@@ -42,8 +42,9 @@ fn mesh_shape(
 ) -> Result<Shape, Failure> {
     let mut notes = Vec::new();
     let what = Mending { join: run.join };
-    // Triangles come first: they are the way out for facets that are not planar.
-    let mended = if run.triangulate {
+    // Triangles are the way out for facets that are not planar, and these cannot be joined.
+    let triangles_first = run.triangulate && !run.join;
+    let mended = if triangles_first {
         let triangles = triangulated(&filed, operand)?;
         formats::objects_of_triangles(objects, &filed);
         triangles.mended(what, &mut notes).map_err(|error| triangles_error(&error, operand, &filed))
@@ -57,7 +58,24 @@ fn mesh_shape(
         console.note(&operand.name, None, &note.to_string());
     }
     move_objects(objects, &mended.facet_origin);
-    Ok(shape_of(mended))
+    if !(run.join && run.triangulate) {
+        return Ok(shape_of(mended));
+    }
+    let joined_origin = mended.facet_origin.clone();
+    let cut = mended.without_holes().map_err(|(facet, error)| {
+        let place = operand.facet_place(joined_origin[facet as usize] as usize);
+        operand.failure(place, format!("what is joined with this facet cannot be cut: {error}; correct it"))
+    })?;
+    // The objects are those of the facets before they were cut.
+    let cut_origin = positions_of(&cut.facet_origin, &joined_origin);
+    move_objects(objects, &cut_origin);
+    formats::objects_of_triangles(objects, &cut.mesh);
+    triangulated(&cut.mesh, operand).map(Shape::Mesh)
+}
+
+/// For each entry of a list its place in another one; both ascend, and the second has all entries of the first.
+fn positions_of(entries: &[u32], among: &[u32]) -> Vec<u32> {
+    entries.iter().map(|entry| among.partition_point(|other| other < entry) as u32).collect()
 }
 
 /// Facets with holes make a complex of cells.

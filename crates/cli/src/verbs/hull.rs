@@ -19,6 +19,8 @@ pub(crate) fn hull(run: &Run) -> Result<(), Failure> {
         }
         points.extend(operand.read.model.shape.points().cloned());
     }
-    let hull = convex_hull(&points).expect("a model that was read has a vertex");
+    let hull = convex_hull(&points).ok_or_else(|| {
+        job.operands[0].failure(None, "there is no vertex, and so there is no hull; give points")
+    })?;
     job.finish(&Outcome::of_polytope(hull, unit, "hull"))
 }

@@ -15,7 +15,6 @@ fn wrong_command_lines_end_with_code_2_and_one_line() {
         (&["sum", "a.off", "b.off"], "where to write is missing"),
         (&["sum", "a.off", "b.off", "-o", &out, "--fast"], "unknown option `--fast`"),
         (&["sum", "a.off", "b.off", "-o", &out, "--join"], "unknown option `--join`"),
-        (&["convert", "a.off", "-o", &out, "--join", "--triangulate"], "exclude each other"),
         (&["convert", "a.off", "-o", &out, "--format", "step"], "unknown format `step`: off, obj, stl"),
         (&["convert", "a.off", "-o", &out, "--unit", "mile"], "unknown unit `mile`: micron"),
         (&["convert", "a.off", "-o", "b.step"], "`.step` is the ending of no format"),

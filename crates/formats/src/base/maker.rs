@@ -29,6 +29,13 @@ const GROWTH: u64 = 2;
 const VERTEX: u64 = GROWTH * size_of::<Point3>() as u64;
 const FACET: u64 = GROWTH * 4;
 const CORNER: u64 = GROWTH * 4;
+/// What is done with a mesh takes at most so much memory besides: copies of it, tables of positions and of edges. `info`
+/// takes most.
+const VERTEX_LATER: u64 = 96;
+const CORNER_LATER: u64 = 72;
+/// Copies of a point that is not narrow, with the numbers that are written for it.
+const WIDE_LATER: u64 = 4;
+
 /// What a point takes on the heap when its numbers do not fit into machine words: four numbers with their floats, and
 /// the digits of those that are longer than two words.
 fn wide_bytes(point: &Point3) -> u64 {
@@ -69,6 +76,7 @@ impl<'b> MeshMaker<'b> {
     pub(crate) fn vertex(&mut self, point: Point3, place: Place) -> Result<u32, Fault> {
         let wide = if point.as_narrow().is_some() { 0 } else { wide_bytes(&point) };
         self.budget.charge(VERTEX + GROWTH * self.vertex_places.bytes_each() + wide)?;
+        self.budget.reserve(VERTEX_LATER + WIDE_LATER * wide)?;
         let index = self.vertex_count();
         if index == u32::MAX - 1 {
             return Err(Fault::CountTooLarge {
@@ -86,7 +94,9 @@ impl<'b> MeshMaker<'b> {
     #[inline]
     pub(crate) fn facet(&mut self, cycle: &[u32], place: Place, base: u32) -> Result<(), Fault> {
         let place_bytes = GROWTH * self.facet_places.bytes_each();
-        self.budget.charge(FACET + place_bytes + CORNER * cycle.len() as u64)?;
+        let corners = cycle.len() as u64;
+        self.budget.charge(FACET + place_bytes + CORNER * corners)?;
+        self.budget.reserve(CORNER_LATER * corners)?;
         if cycle.len() < 2 {
             return Err(Fault::SmallFacet { size: cycle.len() as u32 });
         }
