@@ -253,7 +253,10 @@ fn facets_with_holes() {
     assert_eq!(convert(&star, &off, &[]).error(1), format!("error: {off}: {refused}"));
     assert!(!fs::exists(&off).unwrap());
     let cut = "the format has no holes: 2 facets with holes cut into 16 triangles";
-    assert_eq!(convert(&ring, &off, &["--join", "--lossy"]).notes(), [joined, format!("note: {off}: {cut}")]);
+    assert_eq!(
+        convert(&ring, &off, &["--join", "--lossy"]).notes(),
+        [joined.clone(), format!("note: {off}: {cut}")]
+    );
     assert!(convert(&star, &off, &["--triangulate"]).notes().is_empty());
     assert_eq!((counts(&info(&off)), &info(&off)["volume"]), ([16, 24, 10], &json!("8")));
     // Joined and cut again.
