@@ -18,7 +18,7 @@ use crate::input::Operand;
 use crate::output;
 use crate::report::{Clock, Made, Report, Seconds, width_bits};
 use splitstar::exact::{Point3, Quaternion};
-use splitstar::formats::{self, Model, Shape, Unit, WriteOptions, Written};
+use splitstar::formats::{self, Format, Model, Shape, Unit, WriteOptions, Written};
 use splitstar::polytope::{PolygonMesh, Polytope};
 
 /// A verb at work: its output is known to be writable, its operands are read.
@@ -86,6 +86,11 @@ impl<'a> Job<'a> {
         if self.run.float || !written.largest_rounding.is_zero() {
             let rounding = approx(&written.largest_rounding);
             self.console.note(&file, None, &format!("written as floats; the largest rounding is {rounding}"));
+        }
+        if !written.largest_rounding.is_zero() && has_polygons(&outcome.model, options.encoding.format) {
+            let what = "facets of more than three corners are in general not planar any more; write triangles \
+                        (convert --triangulate), or OFF or star without --float";
+            self.console.note(&file, None, what);
         }
         if self.run.json {
             return output::report(&self.report(outcome, &written).json());
@@ -160,6 +165,13 @@ impl Outcome {
         model.unit = unit;
         Self { model, polytope: Some(polytope), method, quaternion: None }
     }
+}
+
+/// Whether facets of more than three corners are written.
+fn has_polygons(model: &Model, format: Format) -> bool {
+    let triangles_only = matches!(format, Format::Stl | Format::StlAscii | Format::ThreeMf | Format::Glb);
+    let has_more = |mesh: &PolygonMesh| mesh.facets.iter().any(|cycle| cycle.len() > 3);
+    !triangles_only && model.shape.mesh().is_some_and(has_more)
 }
 
 fn counted(count: usize, [one, many]: [&str; 2]) -> String {

@@ -228,7 +228,8 @@ fn floats_tell_their_rounding() {
     let [odp, cube] = [model("convex/odp.xoff"), model("convex/cube.off")];
     let [exact, float] = ["exact.off", "float.off"].map(|name| folder.path(name));
     let run_float = run(&["sum", &odp, &cube, "-o", &float, "--float", "--json"]);
-    assert_eq!(run_float.notes().len(), 1);
+    assert_eq!(run_float.notes().len(), 2);
+    assert!(run_float.notes()[1].contains("not planar any more"), "{}", run_float.stderr);
     assert!(run_float.stderr.contains("the largest rounding is "), "{}", run_float.stderr);
     let object = run_float.json();
     let (p, q) = object["rounding"].as_str().unwrap().split_once('/').unwrap();
