@@ -328,3 +328,42 @@ fn mark(word: Option<Token<'_>>, default: bool, expected: &str) -> Result<bool, 
 fn malformed(rule: &Rule, line: &Line<'_>) -> Located {
     Fault::Malformed { why: rule.to_string() }.at(Place::Line(line.number))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A grid of triangles, as OFF and as star.
+    fn grid(steps: u32) -> [String; 2] {
+        let (vertices, facets) = ((steps + 1).pow(2), 2 * steps * steps);
+        let mut texts = [format!("OFF\n{vertices} {facets} 0\n"), "star 1 complex\n".to_string()];
+        for id in 0..vertices {
+            let point = format!("{} {} 1/3\n", id / (steps + 1), id % (steps + 1));
+            texts[0] += &point;
+            texts[1] += &format!("vertex {id} {point}");
+        }
+        for a in (0..steps).flat_map(|i| (0..steps).map(move |j| i * (steps + 1) + j)) {
+            let c = a + steps + 2;
+            for cycle in [format!("{a} {} {c}\n", c - 1), format!("{a} {c} {}\n", a + 1)] {
+                texts[0] += &format!("3 {cycle}");
+                texts[1] += &format!("facet {cycle}");
+            }
+        }
+        texts[1] += "end\n";
+        texts
+    }
+
+    #[test]
+    fn a_mesh_takes_the_memory_that_it_takes_in_off() {
+        let [off, star] = grid(60);
+        let taken = |read: &dyn Fn(&mut Budget) -> Result<ReadModel, Located>| {
+            let mut budget = Budget::of_file(1 << 20);
+            let before = budget.left();
+            assert!(read(&mut budget).unwrap().model.shape.mesh().is_some());
+            before - budget.left()
+        };
+        let of_off = taken(&|budget| crate::off::read(off.as_bytes(), budget));
+        let of_star = taken(&|budget| read(star.as_bytes(), budget));
+        assert!(2 * of_star <= 3 * of_off, "{of_star} {of_off}");
+    }
+}
