@@ -202,8 +202,8 @@ impl<'b> Cells<'b> {
         let of_facets = facets * (OF_FACET + OF_CYCLE) + corners * OF_CORNER;
         self.budget.charge(points * OF_VERTEX + of_facets + edges * OF_EDGE)?;
         let PolygonMesh { points, facets } = std::mem::take(&mut self.mesh);
-        let mut complex = Complex::default();
-        complex.vertices = points.into_iter().map(Vertex::point).collect();
+        let vertices = points.into_iter().map(Vertex::point).collect();
+        let mut complex = Complex { vertices, ..Complex::default() };
         for cycle in facets.iter() {
             match *cycle {
                 [a, b] => complex.edges.push(Edge::segment([a, b])),
