@@ -177,6 +177,14 @@ fn a_complex_cut_into_triangles_is_the_same_set() {
 }
 
 #[test]
+fn edges_inside_repeated_facets_are_said_once() {
+    let text = records(&format!("{CUBE}{}", "facet 3 2 1 0 unmarked\n".repeat(3)));
+    let Shape::Complex(complex) = read(&text).model.shape else { panic!("it has marks") };
+    let (cut, _) = complex.triangulated().unwrap();
+    assert_eq!((cut.facets.len(), cut.edges.len(), cut.check()), (2 * 9, 1, Ok(())));
+}
+
+#[test]
 fn a_facet_that_is_not_planar_is_named() {
     // Written as part of the whole, and because something else is left out.
     let bent = CUBE
