@@ -99,6 +99,15 @@ pub enum WriteError {
     NothingLeft,
     /// A cell is against the rules of a complex.
     Malformed(Malformed),
+    /// A facet of a complex does not lie in one plane.
+    NotPlanar {
+        /// The index of the facet.
+        facet: usize,
+        /// A corner off the plane of the first three corners that span one.
+        vertex: u32,
+        /// The square of its distance from that plane.
+        squared_distance: Rational,
+    },
     /// A facet with holes cannot be cut into triangles.
     CutHoles {
         /// The index of the facet.
@@ -321,6 +330,11 @@ impl fmt::Display for WriteError {
                 f.write_str("the set has no inner points, so that no mesh is left of it; write star")
             }
             Self::Malformed(malformed) => write!(f, "{malformed}"),
+            Self::NotPlanar { facet, vertex, squared_distance } => write!(
+                f,
+                "facet {facet} is not planar: vertex {vertex} is off its plane, the square of the distance is \
+                 {squared_distance}; move the vertex, or write star"
+            ),
             Self::CutHoles { facet, error } => {
                 write!(f, "the format has no holes, and facet {facet} cannot be cut: {error}; write star")
             }

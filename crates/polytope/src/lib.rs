@@ -27,7 +27,7 @@ mod vectors;
 
 pub use facets::Facets;
 pub use measure::Bounds;
-pub use mesh::{Hole, Mended, Mending, MeshError, MeshSummary, Note, hull_depth};
+pub use mesh::{Hole, Mended, Mending, MeshError, MeshSummary, Note, corner_off_plane, hull_depth};
 pub use overlay::OverlayCounts;
 pub use polygon_mesh::PolygonMesh;
 pub use polytope::{Counts, Polytope, convex_hull};

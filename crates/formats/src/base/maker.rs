@@ -38,7 +38,7 @@ const WIDE_LATER: u64 = 4;
 
 /// What a point takes on the heap when its numbers do not fit into machine words: four numbers with their floats, and
 /// the digits of those that are longer than two words.
-fn wide_bytes(point: &Point3) -> u64 {
+pub(crate) fn wide_bytes(point: &Point3) -> u64 {
     let digits = match point.bits() {
         0..=128 => 0,
         bits => 4 * (u64::from(bits) * 9 / 64 + 40),

@@ -4,7 +4,7 @@ use crate::base::places::Places;
 use crate::complex::Complex;
 use crate::format::Format;
 use exact::{Affine3, Integer, Point3, Rational};
-use polytope::PolygonMesh;
+use polytope::{Mended, PolygonMesh};
 use std::fmt;
 
 /// What is read from a file, and can be written to one.
@@ -116,6 +116,15 @@ impl Model {
 }
 
 impl Shape {
+    /// What a mended mesh is: a mesh again, or a complex if its facets have holes.
+    pub fn of_mended(mended: Mended) -> Self {
+        if mended.holes.is_empty() {
+            Self::Mesh(mended.mesh)
+        } else {
+            Self::Complex(Complex::of_mended(mended))
+        }
+    }
+
     /// The mesh, if it is one.
     pub fn mesh(&self) -> Option<&PolygonMesh> {
         match self {

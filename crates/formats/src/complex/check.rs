@@ -1,7 +1,8 @@
-//! The rules that each cell keeps by itself, and which edges are sides of facets.
+//! The rules that cells keep.
 
+use super::edges::{are_opposite, sides_of};
 use super::{Complex, Edge, Facet, Position, Vertex};
-use exact::{Point3, Sign, Vector3};
+use exact::{Point3, Vector3};
 use std::fmt;
 
 /// A cell that is against the rules.
@@ -16,6 +17,7 @@ pub struct Malformed {
 
 /// A cell of a complex, by its place in its list.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
 pub enum Cell {
     /// A vertex.
     Vertex(usize),
@@ -37,6 +39,8 @@ pub enum Rule {
     ZeroDirection,
     /// Both ends of an edge are this vertex.
     Loop(u32),
+    /// The edge of this index has the same ends, and is the same line if they are directions.
+    RepeatedEdge(usize),
     /// A cycle has this vertex twice.
     Repeated(u32),
     /// The outer cycle has fewer than three vertices.
@@ -51,6 +55,8 @@ pub enum Rule {
     NeedlessThrough,
     /// More than one pair of opposite directions in a row: more than one line without a vertex around one facet.
     TwoLines,
+    /// A pair of opposite directions in a row in a hole: a line without a vertex there.
+    LineInHole,
 }
 
 impl fmt::Display for Malformed {
@@ -73,6 +79,7 @@ impl fmt::Display for Rule {
             Self::UnknownVolume(volume) => write!(f, "there is no volume {volume}; declare it"),
             Self::ZeroDirection => f.write_str("the direction is zero; give one that points somewhere"),
             Self::Loop(vertex) => write!(f, "both ends are vertex {vertex}; name two different ones"),
+            Self::RepeatedEdge(first) => write!(f, "edge {first} is the same; remove one of them"),
             Self::Repeated(vertex) => write!(
                 f,
                 "vertex {vertex} stands twice in a cycle; name every vertex of a cycle once, and write a part that \
@@ -98,6 +105,7 @@ impl fmt::Display for Rule {
             Self::TwoLines => f.write_str(
                 "two lines without a vertex around one facet; put a vertex on all of its lines but one",
             ),
+            Self::LineInHole => f.write_str("a line without a vertex in a hole; put a vertex on it"),
         }
     }
 }
@@ -107,11 +115,11 @@ const SMALL: usize = 16;
 
 impl Complex {
     /// Finds the first cell that is against the rules: vertices and volumes exist, no direction is zero, no cycle and
-    /// no edge has a vertex twice, outer cycles have three vertices or more, and `through` stands where it is needed
-    /// and nowhere else.
+    /// no edge has a vertex twice, no edge is there twice, outer cycles have three vertices or more, and `through`
+    /// stands where it is needed and nowhere else.
     ///
     /// # Complexity
-    /// O(n log n) for n corners.
+    /// O(n log n) for n cells and corners.
     pub fn check(&self) -> Result<(), Malformed> {
         for (index, vertex) in self.vertices.iter().enumerate() {
             if vertex.direction_vector().is_some_and(Vector3::is_zero) {
@@ -120,6 +128,9 @@ impl Complex {
         }
         for (index, edge) in self.edges.iter().enumerate() {
             self.check_edge(edge).map_err(|rule| Malformed { cell: Cell::Edge(index), rule })?;
+        }
+        if let Some([first, again]) = self.repeated_edge() {
+            return Err(Malformed { cell: Cell::Edge(again), rule: Rule::RepeatedEdge(first) });
         }
         for (index, facet) in self.facets.iter().enumerate() {
             self.check_facet(facet).map_err(|rule| Malformed { cell: Cell::Facet(index), rule })?;
@@ -130,9 +141,7 @@ impl Complex {
     pub(crate) fn check_edge(&self, edge: &Edge) -> Result<(), Rule> {
         let [a, b] = edge.ends;
         self.check_vertices(&edge.ends)?;
-        if a == b {
-            return Err(Rule::Loop(a));
-        }
+        check_segment([a, b])?;
         let is_line = match (self.direction(a), self.direction(b)) {
             (Some(a), Some(b)) if !are_opposite(a, b) => return Err(Rule::NotOpposite),
             (Some(_), Some(_)) => true,
@@ -144,20 +153,19 @@ impl Complex {
     pub(crate) fn check_facet(&self, facet: &Facet) -> Result<(), Rule> {
         for cycle in facet.cycles() {
             self.check_vertices(cycle)?;
-            if let Some(vertex) = repeated(cycle) {
-                return Err(Rule::Repeated(vertex));
-            }
+            check_repeated(cycle)?;
         }
-        if facet.outer.len() < 3 {
-            return Err(Rule::Small(facet.outer.len()));
-        }
+        check_size(&facet.outer)?;
         let at_infinity = |cycle: &[u32]| cycle.iter().all(|&vertex| self.direction(vertex).is_some());
         if facet.holes.iter().any(|hole| at_infinity(hole)) {
             return Err(Rule::HoleWithoutPoint);
         }
         let lines = sides_of(&facet.outer).filter(|&side| self.is_line(side)).count();
         let in_holes = facet.holes.iter().flat_map(|hole| sides_of(hole)).any(|side| self.is_line(side));
-        if lines > 1 || in_holes {
+        if in_holes {
+            return Err(Rule::LineInHole);
+        }
+        if lines > 1 {
             return Err(Rule::TwoLines);
         }
         through_as_needed(lines == 1 || at_infinity(&facet.outer), facet.through.as_ref())?;
@@ -179,69 +187,9 @@ impl Complex {
         self.vertices[vertex as usize].direction_vector()
     }
 
-    /// Whether a side of a facet is a line: it runs between opposite directions.
-    fn is_line(&self, [a, b]: [u32; 2]) -> bool {
-        matches!((self.direction(a), self.direction(b)), (Some(a), Some(b)) if are_opposite(a, b))
-    }
-
-    /// The edges around a facet. A piece of the circle at infinity is none.
-    pub(crate) fn edges_of<'a>(&'a self, facet: &'a Facet) -> impl Iterator<Item = [u32; 2]> + 'a {
-        facet.cycles().flat_map(sides_of).filter(|&[a, b]| {
-            self.direction(a).is_none() || self.direction(b).is_none() || self.is_line([a, b])
-        })
-    }
-
-    /// For each edge whether it is a side of some facet.
-    ///
-    /// # Complexity
-    /// O((e + n) log e) for e edges and n corners of facets.
-    pub(crate) fn are_sides(&self) -> Vec<bool> {
-        let mut are_sides = vec![false; self.edges.len()];
-        let index = EdgeIndex::new(self, |_| true);
-        if !self.edges.is_empty() {
-            for facet in &self.facets {
-                for side in self.edges_of(facet) {
-                    index.find(facet, side).for_each(|edge| are_sides[edge] = true);
-                }
-            }
-        }
-        are_sides
-    }
-
     /// Whether some of the vertices are at infinity.
     pub(crate) fn is_unbounded(&self, cycle: &[u32]) -> bool {
         cycle.iter().any(|&vertex| self.direction(vertex).is_some())
-    }
-}
-
-/// Finds edges by their ends.
-pub(super) struct EdgeIndex<'a> {
-    complex: &'a Complex,
-    by_ends: Vec<([u32; 2], usize)>,
-}
-
-impl<'a> EdgeIndex<'a> {
-    /// Of those edges that the condition holds for.
-    pub(super) fn new(complex: &'a Complex, condition: impl Fn(&Edge) -> bool) -> Self {
-        let edges = complex.edges.iter().zip(0..).filter(|(edge, _)| condition(edge));
-        let mut by_ends: Vec<([u32; 2], usize)> =
-            edges.map(|(edge, index)| (sorted(edge.ends), index)).collect();
-        by_ends.sort_unstable();
-        Self { complex, by_ends }
-    }
-
-    /// The edges that are this side of the facet. A line is the same if its point lies on it.
-    pub(super) fn find(&self, facet: &Facet, side: [u32; 2]) -> impl Iterator<Item = usize> {
-        let side = sorted(side);
-        let first = self.by_ends.partition_point(|&(ends, _)| ends < side);
-        let candidates = self.by_ends[first..].iter().take_while(move |&&(ends, _)| ends == side);
-        candidates.map(|&(_, edge)| edge).filter(move |&edge| {
-            match (&facet.through, &self.complex.edges[edge].through, self.complex.direction(side[0])) {
-                (_, None, _) => true,
-                (Some(p), Some(q), Some(along)) => p.direction_to(q).cross(along).is_zero(),
-                _ => false,
-            }
-        })
     }
 }
 
@@ -254,10 +202,6 @@ impl Vertex {
     }
 }
 
-fn are_opposite(a: &Vector3, b: &Vector3) -> bool {
-    a.cross(b).is_zero() && a.dot(b).sign() == Sign::Negative
-}
-
 fn through_as_needed(needed: bool, through: Option<&Point3>) -> Result<(), Rule> {
     match (needed, through) {
         (true, None) => Err(Rule::NoThrough),
@@ -266,17 +210,23 @@ fn through_as_needed(needed: bool, through: Option<&Point3>) -> Result<(), Rule>
     }
 }
 
-pub(crate) fn sorted([a, b]: [u32; 2]) -> [u32; 2] {
-    [a.min(b), a.max(b)]
+/// The rule for an edge between two points.
+pub(crate) fn check_segment([a, b]: [u32; 2]) -> Result<(), Rule> {
+    if a == b { Err(Rule::Loop(a)) } else { Ok(()) }
 }
 
-/// The pairs of vertices that follow each other in a cycle: none for one vertex, one for two.
-fn sides_of(cycle: &[u32]) -> impl Iterator<Item = [u32; 2]> + '_ {
-    let closing = match cycle {
-        [first, _, .., last] => Some([*last, *first]),
-        _ => None,
-    };
-    cycle.windows(2).map(|pair| [pair[0], pair[1]]).chain(closing)
+/// The rules for the cycle of a facet that has no hole and no direction.
+pub(crate) fn check_polygon(cycle: &[u32]) -> Result<(), Rule> {
+    check_repeated(cycle)?;
+    check_size(cycle)
+}
+
+fn check_repeated(cycle: &[u32]) -> Result<(), Rule> {
+    repeated(cycle).map_or(Ok(()), |vertex| Err(Rule::Repeated(vertex)))
+}
+
+fn check_size(outer: &[u32]) -> Result<(), Rule> {
+    if outer.len() < 3 { Err(Rule::Small(outer.len())) } else { Ok(()) }
 }
 
 /// A vertex that a cycle has twice.

@@ -1,7 +1,6 @@
 //! What a mesh would lose of a complex.
 
-use super::{Complex, Position};
-use exact::Point3;
+use super::{Complex, Position, Vertex};
 use polytope::{Facets, PolygonMesh};
 use std::fmt;
 
@@ -67,16 +66,32 @@ impl Complex {
     ///
     /// # Panics
     /// If a vertex does not exist, or the facets have 2^32 corners or more.
+    ///
+    /// # Complexity
+    /// O(n log e) for n cells and corners, and e edges.
     pub fn as_mesh(&self) -> Result<PolygonMesh, Vec<Loss>> {
         let losses = self.losses();
         if !losses.is_empty() {
             return Err(losses);
         }
-        let point = |vertex: &super::Vertex| match &vertex.position {
-            Position::Point(point) => point.clone(),
-            Position::Direction(_) => unreachable!("directions are a loss"),
+        Ok(PolygonMesh { points: self.points().cloned().collect(), facets: self.turned_facets() })
+    }
+
+    /// As [`as_mesh`](Self::as_mesh), without a copy of the points; else the complex itself.
+    pub(crate) fn into_mesh(self) -> Result<PolygonMesh, Self> {
+        if !self.losses().is_empty() {
+            return Err(self);
+        }
+        let facets = self.turned_facets();
+        let point = |vertex: Vertex| match vertex.position {
+            Position::Point(point) => Some(point),
+            Position::Direction(_) => None,
         };
-        let points: Vec<Point3> = self.vertices.iter().map(point).collect();
+        Ok(PolygonMesh { points: self.vertices.into_iter().filter_map(point).collect(), facets })
+    }
+
+    /// The facets of a complex that is a mesh, or its edges.
+    fn turned_facets(&self) -> Facets {
         let mut facets = Facets::new();
         if self.facets.is_empty() {
             self.edges.iter().for_each(|edge| facets.push(&edge.ends));
@@ -91,7 +106,7 @@ impl Complex {
                 facets.push(&facet.outer);
             }
         }
-        Ok(PolygonMesh { points, facets })
+        facets
     }
 
     /// Everything that a mesh would lose, in the order of [`Loss`].

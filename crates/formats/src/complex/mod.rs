@@ -3,37 +3,44 @@
 //! | file | role |
 //! |---|---|
 //! | `mod` | the cells, from a mesh, under a map |
-//! | `check` | the rules that each cell keeps, and which edges are sides of facets |
+//! | `check` | the rules that cells keep |
+//! | `edges` | which edges are sides of facets, and which are said twice |
 //! | `loss` | what a mesh would lose |
 //! | `regular` | the regular part as a mesh |
+//! | `triangles` | facets cut into triangles |
 //! | `summary` | counts |
 
 mod check;
+mod edges;
 mod loss;
 mod regular;
 mod summary;
 mod triangles;
 
 pub use check::{Cell, Malformed, Rule};
+pub(crate) use check::{check_polygon, check_segment};
+pub(crate) use edges::repeated_segment;
 pub use loss::Loss;
 pub use summary::{ComplexSummary, UnmarkedCells};
 
 use crate::base::model::Kind;
 use exact::{Affine3, Point3, Sign, Vector3};
-use polytope::PolygonMesh;
+use polytope::{Facets, Mended, PolygonMesh};
 use std::collections::BTreeMap;
 
 /// A set of points of space, cut into cells: vertices, edges, facets and volumes, each of which belongs to the set or
 /// not (its mark).
 ///
-/// [`check`](Self::check) says what each cell by itself must keep, and readers and writers do check it. How the cells
-/// lie in space (whether facets are planar, and whether they meet in vertices and edges only) is not checked.
+/// [`check`](Self::check) says what the lists must keep, and readers and writers do check it. How the cells lie in
+/// space is not checked there: whether facets are planar only where a mesh is made of them, whether cells meet in
+/// vertices and edges only nowhere.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub struct Complex {
     /// Points, and points at infinity. One that no edge and no facet has is an isolated point.
     pub vertices: Vec<Vertex>,
-    /// Edges that are said by themselves: pieces of dimension 1, and sides of facets that do not belong to the set.
+    /// Edges that are said by themselves, each once: pieces of dimension 1, and sides of facets that do not belong to
+    /// the set.
     /// All other sides of facets are edges that do.
     pub edges: Vec<Edge>,
     /// The facets.
@@ -54,6 +61,7 @@ pub struct Vertex {
 
 /// Where a vertex is.
 #[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
 pub enum Position {
     /// A point.
     Point(Point3),
@@ -131,32 +139,54 @@ impl Complex {
     /// volume 1.
     ///
     /// Vertices without a facet are left out, and the others renumbered, where there are facets: they would be points
-    /// of the set.
+    /// of the set. Segments that the mesh has twice are edges once.
+    ///
+    /// # Panics
+    /// If a corner is the index of no vertex.
+    ///
+    /// # Complexity
+    /// Linear; for n segments O(n log n).
     pub fn of_mesh(mesh: &PolygonMesh) -> Self {
         let mut complex = Self::default();
         let kind = Kind::of(mesh);
-        let mut new = vec![None; mesh.points.len()];
-        let mut keep = |old: u32| {
-            *new[old as usize].get_or_insert_with(|| {
-                complex.vertices.push(Vertex::point(mesh.points[old as usize].clone()));
-                complex.vertices.len() as u32 - 1
-            })
-        };
         let mut used = vec![kind == Kind::Points; mesh.points.len()];
-        for &corner in mesh.facets.corners() {
-            used[corner as usize] = true;
+        mesh.facets.corners().iter().for_each(|&corner| used[corner as usize] = true);
+        let mut new = vec![0_u32; mesh.points.len()];
+        for (old, point) in mesh.points.iter().enumerate().filter(|&(old, _)| used[old]) {
+            new[old] = complex.vertices.len() as u32;
+            complex.vertices.push(Vertex::point(point.clone()));
         }
-        (0_u32..).zip(used).filter(|&(_, used)| used).for_each(|(old, _)| {
-            keep(old);
-        });
+        if kind == Kind::Segments {
+            let segments = distinct_segments(&mesh.facets).into_iter();
+            let ends = segments.map(|index| [0, 1].map(|end| mesh.facets.get(index as usize)[end]));
+            complex.edges.extend(ends.map(|ends| Edge::segment(ends.map(|old| new[old as usize]))));
+            return complex;
+        }
+        let sides = if kind == Kind::Surface { [0, 1] } else { [0, 0] };
         for cycle in mesh.facets.iter() {
-            let cycle: Vec<u32> = cycle.iter().map(|&corner| keep(corner)).collect();
-            match (cycle.as_slice(), kind) {
-                (&[a, b], _) => complex.edges.push(Edge { ends: [a, b], through: None, marked: true }),
-                (_, Kind::Surface) => complex.facets.push(Facet::of_cycle(cycle, [0, 1])),
-                _ => complex.facets.push(Facet::of_cycle(cycle, [0, 0])),
-            }
+            let outer = cycle.iter().map(|&old| new[old as usize]).collect();
+            complex.facets.push(Facet::of_cycle(outer, sides));
         }
+        complex
+    }
+
+    /// The complex of a mended mesh, whose facets may have holes: as [`of_mesh`](Self::of_mesh), with all its vertices.
+    /// A single facet encloses nothing.
+    ///
+    /// # Complexity
+    /// Linear; for n segments O(n log n).
+    pub fn of_mended(mended: Mended) -> Self {
+        let Mended { mesh, holes, .. } = mended;
+        if holes.is_empty() {
+            return Self::of_mesh(&mesh);
+        }
+        let mut complex = Self::default();
+        let sides = if mesh.facets.len() == 1 { [0, 0] } else { [0, 1] };
+        complex.facets.extend(mesh.facets.iter().map(|cycle| Facet::of_cycle(cycle.to_vec(), sides)));
+        for hole in holes {
+            complex.facets[hole.facet as usize].holes.push(hole.cycle);
+        }
+        complex.vertices.extend(mesh.points.into_iter().map(Vertex::point));
         complex
     }
 
@@ -167,6 +197,9 @@ impl Complex {
     /// become a bounded one.
     ///
     /// Degenerate: under a map that flattens space, cells may cover each other or lose their dimension.
+    ///
+    /// # Complexity
+    /// Linear.
     pub fn transformed(&self, map: &Affine3) -> Option<Self> {
         let vertex = |vertex: &Vertex| {
             let position = match &vertex.position {
@@ -197,6 +230,17 @@ impl Complex {
     }
 }
 
+/// The indices of the segments of a mesh, without those that have the ends of one before.
+pub(crate) fn distinct_segments(segments: &Facets) -> Vec<u32> {
+    let mut by_ends: Vec<([u32; 2], u32)> =
+        segments.iter().map(|ends| edges::sorted([ends[0], ends[1]])).zip(0..).collect();
+    by_ends.sort_unstable();
+    by_ends.dedup_by_key(|(ends, _)| *ends);
+    let mut indices: Vec<u32> = by_ends.into_iter().map(|(_, index)| index).collect();
+    indices.sort_unstable();
+    indices
+}
+
 impl Vertex {
     /// A point of the set.
     pub fn point(point: Point3) -> Self {
@@ -211,6 +255,18 @@ impl Vertex {
     /// Whether it is a point at infinity.
     pub fn is_direction(&self) -> bool {
         matches!(self.position, Position::Direction(_))
+    }
+}
+
+impl Edge {
+    /// An edge of the set that has an end which is a point: a segment or a ray.
+    pub fn segment(ends: [u32; 2]) -> Self {
+        Self { ends, through: None, marked: true }
+    }
+
+    /// The line of the set through a point, between two opposite directions.
+    pub fn line(ends: [u32; 2], through: Point3) -> Self {
+        Self { ends, through: Some(through), marked: true }
     }
 }
 

@@ -5,11 +5,14 @@ use crate::base::model::Object;
 use crate::format::Format;
 use crate::write::{WriteError, WriteNote};
 use exact::Point3;
-use polytope::{Facets, PolygonMesh, triangulate_with_holes};
+use polytope::{Facets, PolygonMesh, corner_off_plane, triangulate_with_holes};
 
 impl Complex {
-    /// The closure of the interior of the set, as a mesh; `None` if it is unbounded or empty, or if facets with holes
-    /// cannot be cut.
+    /// The closure of the interior of the set, as a mesh; `None` if it is unbounded or empty, if a facet is not
+    /// planar, or if facets with holes cannot be cut.
+    ///
+    /// # Complexity
+    /// O(n log n) for n edges and corners of facets.
     pub fn regular_part(&self) -> Option<PolygonMesh> {
         self.to_mesh(&[], Format::Off, true, &mut Vec::new()).ok().map(|(mesh, _)| mesh)
     }
@@ -22,7 +25,8 @@ impl Complex {
     ///
     /// # Errors
     /// `Loses` with all losses, if the set would change and `lossy` is not given; `Unbounded`, if a facet of the
-    /// regular part is, or what is outside belongs to the set; `NothingLeft`, if the regular part is empty.
+    /// regular part is, or what is outside belongs to the set; `NothingLeft`, if the regular part is empty;
+    /// `NotPlanar` for a facet that is written and is not, and `CutHoles` for one with holes.
     pub(crate) fn to_mesh(
         &self,
         objects: &[Object],
@@ -32,7 +36,12 @@ impl Complex {
     ) -> Result<(PolygonMesh, Vec<Object>), WriteError> {
         self.check().map_err(WriteError::Malformed)?;
         let losses = match self.as_mesh() {
-            Ok(mesh) => return Ok((mesh, objects.to_vec())),
+            Ok(mesh) => {
+                for (index, cycle) in mesh.facets.iter().enumerate() {
+                    check_planar(&mesh.points, cycle, index)?;
+                }
+                return Ok((mesh, objects.to_vec()));
+            }
             Err(losses) => losses,
         };
         if !lossy && losses.iter().any(|loss| loss.changes_the_set()) {
@@ -81,6 +90,14 @@ impl Complex {
     }
 }
 
+/// Facets with holes are checked when they are cut.
+fn check_planar(points: &[Point3], cycle: &[u32], facet: usize) -> Result<(), WriteError> {
+    match corner_off_plane(points, cycle) {
+        Some((vertex, squared_distance)) => Err(WriteError::NotPlanar { facet, vertex, squared_distance }),
+        None => Ok(()),
+    }
+}
+
 /// The facets of the regular part. Its vertices are those of the complex until the end, so that errors name these.
 struct Part<'a> {
     complex: &'a Complex,
@@ -108,6 +125,7 @@ impl<'a> Part<'a> {
             self.facets.push(cycle);
         };
         if holes.is_empty() {
+            check_planar(&self.points, &facet.outer, index)?;
             push(&mut facet.outer.clone());
             return Ok(());
         }

@@ -1,6 +1,6 @@
 //! What a complex has, in numbers.
 
-use super::check::{EdgeIndex, sorted};
+use super::edges::{EdgeIndex, sorted};
 use super::{Complex, Facet};
 use std::collections::BTreeSet;
 
@@ -51,7 +51,7 @@ impl Complex {
     /// If a vertex does not exist; see [`check`](Self::check).
     ///
     /// # Complexity
-    /// O(n log n) for n corners of facets.
+    /// O(n log n) for n edges and corners of facets.
     pub fn summary(&self) -> ComplexSummary {
         let directions = self.vertices.iter().filter(|vertex| vertex.is_direction()).count();
         let mut sides: Vec<[u32; 2]> =
@@ -92,7 +92,7 @@ impl Complex {
         let left_out = EdgeIndex::new(self, |edge| !edge.marked);
         let reaches = |facet: &Facet| {
             let ray_around =
-                |side: [u32; 2]| self.is_unbounded(&side) && left_out.find(facet, side).next().is_none();
+                |side: [u32; 2]| self.is_unbounded(&side) && left_out.find(facet, side).is_none();
             facet.cycles().any(|cycle| self.is_unbounded(cycle))
                 && (facet.marked
                     || facet.sides.iter().any(|&volume| self.is_marked(volume))

@@ -1,6 +1,6 @@
 //! The facets of a complex, cut into triangles.
 
-use super::check::sorted;
+use super::edges::sorted;
 use super::{Complex, Edge, Facet};
 use polytope::{HoleError, triangulate_with_holes};
 use std::collections::BTreeSet;
@@ -19,11 +19,16 @@ impl Complex {
     /// If a vertex does not exist; see [`check`](Self::check).
     ///
     /// # Complexity
-    /// O(k log k) for a facet of k corners.
+    /// O(n log n) for n edges and corners of facets.
     pub fn triangulated(&self) -> Result<(Self, Vec<u32>), (usize, HoleError)> {
         let points = self.points_by_vertex();
         let mut result = Self { facets: Vec::new(), ..self.clone() };
         let mut origin = Vec::new();
+        // Repeated facets have the same edges inside.
+        let mut said: BTreeSet<[u32; 2]> = BTreeSet::new();
+        if self.facets.iter().any(|facet| !facet.marked) {
+            said.extend(self.edges.iter().map(|edge| sorted(edge.ends)));
+        }
         for (index, facet) in self.facets.iter().enumerate() {
             let is_unbounded = facet.cycles().any(|cycle| self.is_unbounded(cycle));
             if is_unbounded || (facet.outer.len() == 3 && facet.holes.is_empty()) {
@@ -33,7 +38,8 @@ impl Complex {
                 let triangles = triangulate_with_holes(&points, &facet.outer, &holes);
                 let triangles = triangles.map_err(|error| (index, error))?;
                 if !facet.marked {
-                    result.edges.extend(self.inner_edges(facet, &triangles));
+                    let inner = self.inner_edges(facet, &triangles);
+                    result.edges.extend(inner.into_iter().filter(|edge| said.insert(sorted(edge.ends))));
                 }
                 let piece = |cycle: [u32; 3]| Facet {
                     marked: facet.marked,
@@ -51,6 +57,6 @@ impl Complex {
         let around: BTreeSet<[u32; 2]> = self.edges_of(facet).map(sorted).collect();
         let sides = triangles.iter().flat_map(|&[a, b, c]| [[a, b], [b, c], [c, a]]);
         let inner: BTreeSet<[u32; 2]> = sides.map(sorted).filter(|side| !around.contains(side)).collect();
-        inner.into_iter().map(|ends| Edge { ends, through: None, marked: false }).collect()
+        inner.into_iter().map(|ends| Edge { marked: false, ..Edge::segment(ends) }).collect()
     }
 }

@@ -3,9 +3,11 @@
 //! | file | role |
 //! |---|---|
 //! | `line` | lines, words and quoted names |
-//! | `read` | records to a complex, and to a mesh if it says no more |
+//! | `read` | the grammar of records |
+//! | `cells` | what they say: a mesh if that is all, else a complex |
 //! | `write` | the one text of a model |
 
+mod cells;
 mod line;
 mod read;
 mod write;

@@ -1,11 +1,12 @@
 //! The star format, read.
 
+use super::cells::{Cells, Finished, Refusal};
 use super::line::{Line, Lines};
 use crate::base::budget::Budget;
 use crate::base::error::{At, Count, Fault, Located};
-use crate::base::model::{Model, Object, ReadModel, Shape, Unit};
+use crate::base::model::{Model, Object, ReadModel, Unit};
 use crate::base::number::point;
-use crate::base::places::{Place, PlaceList, Places};
+use crate::base::places::{Place, Places};
 use crate::base::scan::Token;
 use crate::base::words::{parse_u32, read_coordinate};
 use crate::complex::{Complex, Edge, Facet, Position, Rule, Vertex};
@@ -65,20 +66,9 @@ fn read_first_line(lines: &mut Lines<'_>) -> Result<(), Located> {
     line.end()
 }
 
-/// A growing list takes up to twice the size of what it holds.
-const GROWTH: u64 = 2;
-/// With its number, its line, and its point in a mesh.
-const OF_VERTEX: u64 = GROWTH * (size_of::<Vertex>() + size_of::<Point3>() + 8) as u64;
-/// With its line, and its start in a mesh. The tables of sides take eight bytes for each end of an edge.
-const OF_FACET: u64 = GROWTH * (size_of::<Facet>() + 8) as u64;
-const OF_EDGE: u64 = GROWTH * (size_of::<Edge>() + 24) as u64;
-/// A list of vertices of its own, and in a mesh.
-const OF_CORNER: u64 = 3 * 4;
-const OF_CYCLE: u64 = GROWTH * (size_of::<Vec<u32>>() + 16) as u64;
-const OF_VOLUME: u64 = 32;
-const OF_OBJECT: u64 = GROWTH * (size_of::<NewObject>() + size_of::<Object>()) as u64;
-/// What a point takes beside its digits, when its numbers do not fit into machine words; twice, for the mesh.
-const WIDE: u64 = 2 * 256;
+/// A name twice, as the list of objects may grow to twice its size. The list of numbers of vertices may too.
+const OF_OBJECT: u64 = 2 * (size_of::<NewObject>() + size_of::<Object>()) as u64;
+const OF_NUMBER: u64 = 2 * 4;
 
 struct NewObject {
     name: String,
@@ -87,34 +77,27 @@ struct NewObject {
 }
 
 struct Reader<'b> {
-    budget: &'b mut Budget,
-    complex: Complex,
+    cells: Cells<'b>,
     /// The numbers of vertices and directions, ascending.
     ids: Vec<u32>,
     /// The last volume that was declared.
     last_volume: Option<u32>,
     unit: Option<Unit>,
     objects: Vec<NewObject>,
-    vertex_places: PlaceList,
-    facet_places: PlaceList,
-    edge_places: PlaceList,
+    /// How many there are of all facets.
     corners: u32,
-    /// The cycle that is being read.
+    /// The outer cycle, or the hole, that is being read.
     cycle: Vec<u32>,
 }
 
 impl<'b> Reader<'b> {
     fn new(budget: &'b mut Budget) -> Self {
         Self {
-            budget,
-            complex: Complex::default(),
+            cells: Cells::new(budget),
             ids: Vec::new(),
             last_volume: None,
             unit: None,
             objects: Vec::new(),
-            vertex_places: PlaceList::lines(),
-            facet_places: PlaceList::lines(),
-            edge_places: PlaceList::lines(),
             corners: 0,
             cycle: Vec::new(),
         }
@@ -146,7 +129,7 @@ impl<'b> Reader<'b> {
 
     fn vertex(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
         let id = self.new_id(line)?;
-        let position = self.point(line)?;
+        let position = read_point(line)?;
         let marked = mark(line.word(), true, "`marked`, `unmarked` or the end of the line")?;
         line.end()?;
         self.push_vertex(id, Vertex { position: Position::Point(position), marked }, line)
@@ -155,7 +138,7 @@ impl<'b> Reader<'b> {
     fn direction(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
         let id = self.new_id(line)?;
         // A positive multiple of a direction is the same.
-        let point = self.point(line)?;
+        let point = read_point(line)?;
         let direction = Vector3::new([0, 1, 2].map(|axis| point.numerator(axis))).primitive();
         line.end()?;
         if direction.is_zero() {
@@ -165,10 +148,9 @@ impl<'b> Reader<'b> {
     }
 
     fn push_vertex(&mut self, id: u32, vertex: Vertex, line: &Line<'_>) -> Result<(), Located> {
-        self.budget.charge(OF_VERTEX).at_line(line.number)?;
+        self.cells.budget.charge(OF_NUMBER).at_line(line.number)?;
+        self.cells.vertex(vertex, Place::Line(line.number)).at_line(line.number)?;
         self.ids.push(id);
-        self.complex.vertices.push(vertex);
-        self.vertex_places.push(Place::Line(line.number));
         Ok(())
     }
 
@@ -184,15 +166,6 @@ impl<'b> Reader<'b> {
         }
     }
 
-    fn point(&mut self, line: &mut Line<'_>) -> Result<Point3, Located> {
-        let mut coordinate = || read_coordinate(line.expect("one of three coordinates")?);
-        let point = point([coordinate()?, coordinate()?, coordinate()?]);
-        if point.as_narrow().is_none() {
-            self.budget.charge(WIDE + u64::from(point.bits())).at_line(line.number)?;
-        }
-        Ok(point)
-    }
-
     fn volume(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
         const ID: &str = "the number of the volume";
         let token = line.expect(ID)?;
@@ -200,19 +173,17 @@ impl<'b> Reader<'b> {
         let marked =
             mark(line.word(), Complex::default_mark(id), "`marked`, `unmarked` or the end of the line")?;
         line.end()?;
-        self.budget.charge(OF_VOLUME).at_line(line.number)?;
         if let Some(last) = self.last_volume.replace(id).filter(|&last| id <= last) {
             return Err(token.unexpected(&format!("a number above {last}, the volume before,")));
         }
-        self.complex.volumes.insert(id, marked);
-        Ok(())
+        self.cells.volume(id, marked).at_line(line.number)
     }
 
     fn object(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
         let name = line.name()?;
         line.end()?;
-        self.budget.charge(OF_OBJECT + name.len() as u64).at_line(line.number)?;
-        let (facets, edges) = (self.complex.facets.len() as u32, self.complex.edges.len() as u32);
+        self.cells.budget.charge(OF_OBJECT + name.len() as u64).at_line(line.number)?;
+        let [facets, edges] = self.cells.counts();
         self.objects.push(NewObject { name, facets, edges });
         Ok(())
     }
@@ -222,32 +193,28 @@ impl<'b> Reader<'b> {
         let ends = [end()?, end()?];
         let mut expected = "`through`, `marked`, `unmarked` or the end of the line";
         let mut word = line.word();
-        let through = self.through(&mut word, line)?;
+        let through = read_through(&mut word, line)?;
         if through.is_some() {
             expected = "`marked`, `unmarked` or the end of the line";
         }
         let marked = mark(word, true, expected)?;
         line.end()?;
         let edge = Edge { ends, through, marked };
-        self.complex.check_edge(&edge).map_err(|rule| self.broken(rule, line))?;
-        self.budget.charge(OF_EDGE).at_line(line.number)?;
-        count(self.complex.edges.len(), Count::Edges, line)?;
-        self.complex.edges.push(edge);
-        self.edge_places.push(Place::Line(line.number));
-        Ok(())
+        self.cells.edge(edge, Place::Line(line.number)).map_err(|why| self.refused(why, line))
     }
 
     fn facet(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
         let mut word = self.cycle(line)?;
-        let outer = self.cycle.clone();
+        let outer = std::mem::take(&mut self.cycle);
         let mut holes = Vec::new();
         while word.is_some_and(|word| word.bytes == b"hole") {
             word = self.cycle(line)?;
+            self.cells.charge_hole(self.cycle.len()).at_line(line.number)?;
             holes.push(self.cycle.clone());
         }
         let mut expected =
             "a vertex, `hole`, `through`, `sides`, `marked`, `unmarked` or the end of the line";
-        let through = self.through(&mut word, line)?;
+        let through = read_through(&mut word, line)?;
         if through.is_some() {
             expected = "`sides`, `marked`, `unmarked` or the end of the line";
         }
@@ -260,13 +227,11 @@ impl<'b> Reader<'b> {
         let marked = mark(word, true, expected)?;
         line.end()?;
         holes.shrink_to_fit();
-        let facet = Facet { outer, holes, through, sides, marked };
-        self.complex.check_facet(&facet).map_err(|rule| self.broken(rule, line))?;
-        self.budget.charge(OF_FACET).at_line(line.number)?;
-        count(self.complex.facets.len(), Count::Facets, line)?;
-        self.complex.facets.push(facet);
-        self.facet_places.push(Place::Line(line.number));
-        Ok(())
+        let rest = Facet { outer: Vec::new(), holes, through, sides, marked };
+        let result = self.cells.facet(&outer, rest, Place::Line(line.number));
+        // The next cycle takes its room.
+        self.cycle = outer;
+        result.map_err(|why| self.refused(why, line))
     }
 
     /// Reads vertices up to a word that begins with no digit, and gives that word.
@@ -281,24 +246,10 @@ impl<'b> Reader<'b> {
                 other => break other,
             }
         };
-        self.budget.charge(OF_CYCLE + OF_CORNER * self.cycle.len() as u64).at_line(line.number)?;
         let corners = u32::try_from(self.cycle.len()).ok().and_then(|new| self.corners.checked_add(new));
         let too_many = || Fault::CountTooLarge { token: (1_u64 << 32).to_string(), of: Count::Corners };
         self.corners = corners.ok_or_else(too_many).at_line(line.number)?;
         Ok(word)
-    }
-
-    fn through<'a>(
-        &mut self,
-        word: &mut Option<Token<'a>>,
-        line: &mut Line<'a>,
-    ) -> Result<Option<Point3>, Located> {
-        if word.is_none_or(|word| word.bytes != b"through") {
-            return Ok(None);
-        }
-        let point = self.point(line)?;
-        *word = line.word();
-        Ok(Some(point))
     }
 
     fn known_vertex(&self, token: Token<'_>) -> Result<u32, Located> {
@@ -314,13 +265,17 @@ impl<'b> Reader<'b> {
 
     fn known_volume(&self, line: &mut Line<'_>) -> Result<u32, Located> {
         let token = line.expect(VOLUME)?;
-        let volume = parse_u32(token.bytes).filter(|&volume| self.complex.has_volume(volume));
+        let volume = parse_u32(token.bytes).filter(|&volume| self.cells.has_volume(volume));
         volume.ok_or_else(|| token.unexpected(VOLUME))
     }
 
     /// The rule names a vertex by its index; the file by its number.
     #[cold]
-    fn broken(&self, rule: Rule, line: &Line<'_>) -> Located {
+    fn refused(&self, why: Refusal, line: &Line<'_>) -> Located {
+        let rule = match why {
+            Refusal::Rule(rule) => rule,
+            Refusal::Fault(fault) => return fault.at(Place::Line(line.number)),
+        };
         let id = |index: u32| self.ids.get(index as usize).copied().unwrap_or(index);
         let rule = match rule {
             Rule::Loop(vertex) => Rule::Loop(id(vertex)),
@@ -331,23 +286,34 @@ impl<'b> Reader<'b> {
     }
 
     fn finish(self) -> Result<ReadModel, Located> {
-        let Self { complex, unit, objects, vertex_places, facet_places, edge_places, .. } = self;
-        let of_edges = complex.facets.is_empty();
+        let Finished { shape, vertex_places, facet_places, of_edges } = self.cells.finish()?;
         let object = |object: NewObject| {
             let first_facet = if of_edges { object.edges } else { object.facets };
             Object { name: object.name, first_facet }
         };
-        let objects = objects.into_iter().map(object).collect();
-        let facets = if of_edges { edge_places } else { facet_places };
-        let shape = complex.as_mesh().map_or(Shape::Complex(complex), Shape::Mesh);
-        let places = Places { part: None, vertices: vertex_places, facets };
+        let objects = self.objects.into_iter().map(object).collect();
         Ok(ReadModel {
-            model: Model { shape, objects, unit },
+            model: Model { shape, objects, unit: self.unit },
             format: Format::Star,
-            places,
+            places: Places { part: None, vertices: vertex_places, facets: facet_places },
             notes: Vec::new(),
         })
     }
+}
+
+fn read_point(line: &mut Line<'_>) -> Result<Point3, Located> {
+    let mut coordinate = || read_coordinate(line.expect("one of three coordinates")?);
+    Ok(point([coordinate()?, coordinate()?, coordinate()?]))
+}
+
+/// If the word is `through`, reads its point and the next word.
+fn read_through<'a>(word: &mut Option<Token<'a>>, line: &mut Line<'a>) -> Result<Option<Point3>, Located> {
+    if word.is_none_or(|word| word.bytes != b"through") {
+        return Ok(None);
+    }
+    let point = read_point(line)?;
+    *word = line.word();
+    Ok(Some(point))
 }
 
 fn mark(word: Option<Token<'_>>, default: bool, expected: &str) -> Result<bool, Located> {
@@ -363,9 +329,41 @@ fn malformed(rule: &Rule, line: &Line<'_>) -> Located {
     Fault::Malformed { why: rule.to_string() }.at(Place::Line(line.number))
 }
 
-/// One more must have an index below 2^32 - 1.
-fn count(already: usize, of: Count, line: &Line<'_>) -> Result<(), Located> {
-    let fits = already < u32::MAX as usize - 1;
-    let fault = || Fault::CountTooLarge { token: (already as u64 + 1).to_string(), of };
-    fits.then_some(()).ok_or_else(fault).at_line(line.number)
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A grid of triangles, as OFF and as star.
+    fn grid(steps: u32) -> [String; 2] {
+        let (vertices, facets) = ((steps + 1).pow(2), 2 * steps * steps);
+        let mut texts = [format!("OFF\n{vertices} {facets} 0\n"), "star 1 complex\n".to_string()];
+        for id in 0..vertices {
+            let point = format!("{} {} 1/3\n", id / (steps + 1), id % (steps + 1));
+            texts[0] += &point;
+            texts[1] += &format!("vertex {id} {point}");
+        }
+        for a in (0..steps).flat_map(|i| (0..steps).map(move |j| i * (steps + 1) + j)) {
+            let c = a + steps + 2;
+            for cycle in [format!("{a} {} {c}\n", c - 1), format!("{a} {c} {}\n", a + 1)] {
+                texts[0] += &format!("3 {cycle}");
+                texts[1] += &format!("facet {cycle}");
+            }
+        }
+        texts[1] += "end\n";
+        texts
+    }
+
+    #[test]
+    fn a_mesh_takes_the_memory_that_it_takes_in_off() {
+        let [off, star] = grid(60);
+        let taken = |read: &dyn Fn(&mut Budget) -> Result<ReadModel, Located>| {
+            let mut budget = Budget::of_file(1 << 20);
+            let before = budget.left();
+            assert!(read(&mut budget).unwrap().model.shape.mesh().is_some());
+            before - budget.left()
+        };
+        let of_off = taken(&|budget| crate::off::read(off.as_bytes(), budget));
+        let of_star = taken(&|budget| read(star.as_bytes(), budget));
+        assert!(2 * of_star <= 3 * of_off, "{of_star} {of_off}");
+    }
 }

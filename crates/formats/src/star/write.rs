@@ -3,7 +3,7 @@
 use super::line::put_name;
 use crate::base::model::{Kind, Model, Object, Unit};
 use crate::base::numerals::{Numerals, Rounding, put, put_point};
-use crate::complex::{Complex, Position};
+use crate::complex::{Complex, Position, distinct_segments};
 use crate::write::{Body, Task, WriteError, WriteOptions, too_large};
 use exact::Point3;
 
@@ -79,7 +79,7 @@ pub(crate) fn write_complex(
 
 /// Writes a mesh: points as vertices, segments as edges, one polygon as a facet with nothing behind it, other facets
 /// as the surface of volume 1. Vertices without a facet would be points of the set, and are left out where there are
-/// facets; the others are numbered without them.
+/// facets; the others are numbered without them. A segment that is there twice is written once.
 pub(crate) fn write_mesh(task: &Task<'_>) -> Result<Body, WriteError> {
     let mesh = task.mesh;
     let kind = Kind::of(mesh);
@@ -97,8 +97,12 @@ pub(crate) fn write_mesh(task: &Task<'_>) -> Result<Body, WriteError> {
         text.bytes.push(b'\n');
     }
     let mut objects = task.objects.iter().peekable();
+    let segments = if kind == Kind::Segments { distinct_segments(&mesh.facets) } else { Vec::new() };
     for (index, cycle) in mesh.facets.iter().enumerate() {
         text.objects(&mut objects, index);
+        if kind == Kind::Segments && segments.binary_search(&(index as u32)).is_err() {
+            continue;
+        }
         text.bytes.extend_from_slice(if cycle.len() == 2 { b"edge" } else { b"facet" });
         cycle.iter().for_each(|&vertex| put(&mut text.bytes, format_args!(" {}", ids[vertex as usize])));
         text.bytes.extend_from_slice(if kind == Kind::Polygon { b" sides 0 0\n" } else { b"\n" });

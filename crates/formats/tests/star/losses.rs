@@ -1,6 +1,7 @@
 //! What mesh formats refuse, and the regular part.
 
 use crate::{CUBE, examples, read, records};
+use polytope::HoleError;
 use splitstar_formats::{Format, Loss, Shape, WriteError, WriteNote, WriteOptions};
 
 /// A tetrahedron far away, from vertex 20 on, around a volume.
@@ -32,7 +33,7 @@ fn losses_are_named_all_and_the_rest_is_written_on_request() {
         ("vertex 20 9 9 9\n", &[Loss::Points(1)]),
         ("vertex 20 9 9 9\nedge 6 20\n", &[Loss::Edges(1)]),
         ("vertex 20 9 9 9\nedge 6 20 unmarked\n", &[Loss::Marks(1), Loss::Edges(1)]),
-        ("edge 0 1 unmarked\nedge 1 0 unmarked\n", &[Loss::Marks(2)]),
+        ("edge 0 1 unmarked\nedge 2 1 unmarked\n", &[Loss::Marks(2)]),
         ("direction 20 1 0 0\nedge 6 20\n", &[Loss::Edges(1), Loss::Unbounded(1)]),
         ("direction 20 1 0 0\n", &[Loss::Unbounded(1)]),
         ("+facet 20 21 22 sides 0 0\n", &[Loss::Sheets(1)]),
@@ -173,6 +174,37 @@ fn a_complex_cut_into_triangles_is_the_same_set() {
     let counts = cut.summary();
     assert_eq!((counts.unmarked.facets, counts.unmarked.edges), (8, 8));
     assert_eq!(counts.dimension, complex.summary().dimension);
+}
+
+#[test]
+fn edges_inside_repeated_facets_are_said_once() {
+    let text = records(&format!("{CUBE}{}", "facet 3 2 1 0 unmarked\n".repeat(3)));
+    let Shape::Complex(complex) = read(&text).model.shape else { panic!("it has marks") };
+    let (cut, _) = complex.triangulated().unwrap();
+    assert_eq!((cut.facets.len(), cut.edges.len(), cut.check()), (2 * 9, 1, Ok(())));
+}
+
+#[test]
+fn a_facet_that_is_not_planar_is_named() {
+    // Written as part of the whole, and because something else is left out.
+    let bent = CUBE
+        .replace("vertex 6 1 1 1", "vertex 6 1 1 1 unmarked")
+        .replace("vertex 2 1 1 0", "vertex 2 1 1 1/3");
+    let text = records(&bent);
+    let message = "facet 0 is not planar: vertex 0 is off its plane, the square of the distance is 1/11; move the vertex, \
+                   or write star";
+    let error = off(&text, true).unwrap_err();
+    assert!(matches!(error, WriteError::NotPlanar { facet: 0, .. }), "{error}");
+    assert_eq!(error.to_string(), message);
+    let Shape::Complex(complex) = read(&text).model.shape else { panic!("it has a mark") };
+    assert_eq!(complex.check(), Ok(()));
+    assert!(complex.regular_part().is_none());
+    assert!(matches!(complex.triangulated(), Err((0, HoleError::NotPlanar { .. }))));
+    // A complex that says no more than a mesh.
+    let mesh = read(&text.replace(" unmarked", "")).model.shape.into_mesh().unwrap();
+    let model = crate::model(splitstar_formats::Complex::of_mesh(&mesh));
+    let error = splitstar_formats::write(&model, &WriteOptions::new(Format::Off)).unwrap_err();
+    assert_eq!(error.to_string(), message);
 }
 
 #[test]

@@ -253,9 +253,18 @@ fn short_files_take_little_memory() {
         text += "end\n";
         assert!(splitstar_formats::read(text.as_bytes(), None).is_ok(), "{record}");
     }
-    for record in ["facet 0 1 2\n", "edge 0 1\n", "facet 0 1 2 hole 3\n"] {
+    for record in ["facet 0 1 2\n", "facet 0 1 2 hole 3\n", "facet 0 1 2 unmarked\n"] {
         let vertices = "vertex 0 0 0 0\nvertex 1 1 0 0\nvertex 2 0 1 0\nvertex 3 0 0 1\n";
         let text = records(&format!("{vertices}{}", record.repeat(300_000)));
         assert!(splitstar_formats::read(text.as_bytes(), None).is_ok(), "{record}");
+    }
+    for mark in ["", " unmarked"] {
+        let mut text = "star 1 complex\n".to_string();
+        for id in 0..550 {
+            text += &format!("vertex {id} {id} 0 0\n");
+            (0..id).for_each(|other| text += &format!("edge {other} {id}{mark}\n"));
+        }
+        text += "end\n";
+        assert!(splitstar_formats::read(text.as_bytes(), None).is_ok(), "{mark}");
     }
 }

@@ -224,6 +224,19 @@ const BAD: &[[&str; 2]] = &[
         "direction 7 1 0 0\ndirection 8 2 0 0\nedge 7 8",
         "line 4: an edge between two directions that are not opposite; a line has opposite ones, a ray one",
     ],
+    // Edges that are there twice: in a mesh, beside facets, and lines.
+    [
+        "vertex 3 0 0 0\nvertex 4 1 0 0\nvertex 5 1 1 0\nedge 3 4\nedge 5 4\nedge 4 3\nedge 3 4\nend",
+        "line 7: the edge stands in line 5 already; remove one of the two",
+    ],
+    [
+        "vertex 0 0 0 0\nvertex 1 1 0 0\nvertex 2 0 1 0\nfacet 0 1 2\nedge 0 1\nedge 1 0 unmarked\nend",
+        "line 7: the edge stands in line 6 already; remove one of the two",
+    ],
+    [
+        "direction 0 -2 3 0\ndirection 1 2 -3 0\nedge 0 1 through 0 0 0\nedge 0 1 through 1 1 0\nedge 1 0 through 4 -6 0\nend",
+        "line 6: the edge stands in line 4 already; remove one of the two",
+    ],
     ["facet", "line 2: a facet of 0 vertices; name three or more, or write an edge"],
     [
         "facet x",
@@ -249,10 +262,7 @@ const BAD_FACETS: &[[&str; 2]] = &[
         "5 6 7 hole 5 5",
         "vertex 5 stands twice in a cycle; name every vertex of a cycle once, and write a part that touches the cycle as a hole",
     ],
-    [
-        "5 6 7 hole 5 11 13",
-        "two lines without a vertex around one facet; put a vertex on all of its lines but one",
-    ],
+    ["5 6 7 hole 5 11 13", "a line without a vertex in a hole; put a vertex on it"],
     ["5 6 7 hole 9", "`9` where the number of a vertex or direction declared above was expected; correct it"],
     ["5 6 7 through 0 0 0", "`through` where the vertices say where it lies; remove it and its point"],
     [
@@ -324,4 +334,24 @@ fn other_versions_and_kinds_are_refused() {
         let error = splitstar_formats::read(text, Some("star")).unwrap_err();
         assert_eq!(error.to_string(), message, "{text:?}");
     }
+}
+
+#[test]
+fn many_cells_that_are_almost_the_same_take_no_longer() {
+    let n = 20_000;
+    let mut lines = "direction 0 1 0 0\ndirection 1 0 1 0\ndirection 2 -1 0 0\n".to_string();
+    (0..n).for_each(|i| lines += &format!("edge 0 2 through {i} {i} 0\n"));
+    lines += &"facet 0 1 2 through 5 7 0\n".repeat(n);
+    let text = records(&lines);
+    let complex = complex(&text);
+    // One of the lines is a side of all facets.
+    assert_eq!(complex.summary().edges, n);
+    assert_eq!(write(&read(&text).model).lines().count(), text.lines().count() - 1);
+    let same = format!(
+        "vertex 0 0 0 0\nvertex 1 1 0 0\nvertex 2 0 1 0\nvertex 3 0 0 1\nedge 0 1\n{}",
+        "facet 0 1 2\n".repeat(2 * n)
+    );
+    assert!(matches!(read(&records(&same)).model.shape, Shape::Complex(_)));
+    let edges = same.replace("facet 0 1 2", "edge 1 2");
+    assert!(splitstar_formats::read(records(&edges).as_bytes(), None).is_err());
 }

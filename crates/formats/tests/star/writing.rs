@@ -2,9 +2,10 @@
 
 use crate::{CUBE, model, read, records, write};
 use exact::{Integer, Point3, Vector3};
-use polytope::{Facets, PolygonMesh};
+use polytope::{Facets, Mending, PolygonMesh};
 use splitstar_formats::{
-    Cell, Complex, Facet, Format, Model, Object, Rule, Unit, Vertex, WriteError, WriteOptions,
+    Cell, Complex, Edge, Encoding, Facet, Format, Model, Object, Rule, Shape, Unit, Vertex, WriteError,
+    WriteOptions,
 };
 
 fn mesh(points: usize, facets: &[&[u32]]) -> PolygonMesh {
@@ -52,6 +53,63 @@ fn vertices_without_a_facet_are_left_out() {
 }
 
 #[test]
+fn segments_are_written_once() {
+    let mut mesh = mesh(3, &[&[0, 1], &[1, 0], &[2, 1]]);
+    mesh.points[2] = Point3::from_i64([0, 0, 9]);
+    let text = records("vertex 0 0 0 0\nvertex 1 1 1 1\nvertex 2 0 0 9\nedge 0 1\nedge 2 1\n");
+    assert_eq!(write(&Model::of_mesh(mesh.clone())), text);
+    assert_eq!(write(&model(Complex::of_mesh(&mesh))), text);
+}
+
+/// A square grid of so many steps, cut into triangles, not flat.
+fn grid(steps: u32) -> PolygonMesh {
+    let mut mesh = PolygonMesh::default();
+    for [i, j] in (0..=steps).flat_map(|i| (0..=steps).map(move |j| [i, j])) {
+        mesh.points.push(Point3::from_i64([i.into(), j.into(), (i * j % 7).into()]));
+    }
+    for corner in (0..steps).flat_map(|i| (0..steps).map(move |j| i * (steps + 1) + j)) {
+        let [a, b, c, d] = [corner, corner + steps + 1, corner + steps + 2, corner + 1];
+        mesh.facets.push(&[a, b, c]);
+        mesh.facets.push(&[a, c, d]);
+    }
+    mesh
+}
+
+#[test]
+fn a_large_packed_mesh_comes_back() {
+    let mesh = grid(320);
+    assert_eq!(mesh.facets.len(), 204_800);
+    let encoding = Encoding::from_file_name("grid.star.gz").unwrap();
+    let written =
+        splitstar_formats::write(&Model::of_mesh(mesh.clone()), &WriteOptions::new(encoding)).unwrap();
+    let again = splitstar_formats::read(&written.bytes, None).unwrap().model.shape.into_mesh().unwrap();
+    assert_eq!((again.points, again.facets), (mesh.points, mesh.facets));
+}
+
+#[test]
+fn a_joined_mesh_may_be_a_complex() {
+    // A flat ring: a square with a square hole, in eight triangles.
+    let mut ring = mesh(8, &[]);
+    for (at, [x, y]) in
+        [[0, 0], [3, 0], [3, 3], [0, 3], [1, 1], [2, 1], [2, 2], [1, 2]].into_iter().enumerate()
+    {
+        ring.points[at] = Point3::from_i64([x, y, 0]);
+    }
+    for a in 0..4 {
+        let b = (a + 1) % 4;
+        ring.facets.push(&[a, b, b + 4]);
+        ring.facets.push(&[a, b + 4, a + 4]);
+    }
+    let mended = ring.mended(Mending { join: true }, &mut Vec::new()).unwrap();
+    let mut model = Model::of_mesh(PolygonMesh::default());
+    model.shape = Shape::of_mended(mended);
+    assert!(write(&model).contains("\nfacet 0 1 2 3 hole 5 4 7 6 sides 0 0\n"), "{}", write(&model));
+    let mended = ring.mended(Mending { join: false }, &mut Vec::new()).unwrap();
+    assert_eq!(Complex::of_mended(mended.clone()), Complex::of_mesh(&ring));
+    assert!(Shape::of_mended(mended).mesh().is_some());
+}
+
+#[test]
 fn floats_are_for_coordinates_only() {
     let text = records(
         "vertex 0 1/3 0 0\ndirection 1 1 3 0\ndirection 2 -1 -3 0\nvertex 3 1/2 0 0\nedge 1 2 through 0 2/3 0\n",
@@ -76,7 +134,13 @@ fn a_complex_against_the_rules_is_not_written() {
     let mut base = Complex::default();
     base.vertices = (0..3).map(|i| Vertex::point(Point3::from_i64([i, i * i, 0]))).collect();
     type Row = (fn(&mut Complex, Facet), Cell, Rule, &'static str);
-    let rows: [Row; 3] = [
+    let rows: [Row; 4] = [
+        (
+            |complex, _| complex.edges.extend([[0, 1], [1, 2], [2, 1]].map(Edge::segment)),
+            Cell::Edge(2),
+            Rule::RepeatedEdge(1),
+            "edge 2: edge 1 is the same; remove one of them",
+        ),
         (
             |complex, facet| complex.facets.extend([facet, Facet::of_cycle(vec![0, 1, 3], [0, 1])]),
             Cell::Facet(1),

@@ -13,6 +13,7 @@ mod error;
 mod flat;
 mod join;
 mod mend;
+mod planar;
 mod shape;
 mod slack;
 mod strict;
@@ -24,6 +25,7 @@ pub(crate) use shape::squared_distance;
 pub use depth::hull_depth;
 pub use error::{MeshError, Note};
 pub use mend::{Hole, Mended, Mending};
+pub use planar::corner_off_plane;
 pub use summary::MeshSummary;
 
 use crate::measure::signed_volume;
