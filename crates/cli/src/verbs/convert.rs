@@ -7,8 +7,8 @@ use crate::explain::{mesh_error, triangles_error};
 use crate::failure::Failure;
 use crate::input::Operand;
 use splitstar::exact::{Affine3, Quaternion, Rational};
-use splitstar::formats::{self, Complex, Facet, Model, Object, Shape, Unit, Vertex};
-use splitstar::polytope::{Mended, Mending, PolygonMesh, TriangulateError};
+use splitstar::formats::{self, Complex, Model, Object, Shape, Unit};
+use splitstar::polytope::{Mending, PolygonMesh, TriangulateError};
 
 pub(crate) fn convert(run: &Run) -> Result<(), Failure> {
     let quaternion = run.motion.rotation.as_ref().map(quaternion).transpose()?;
@@ -59,7 +59,7 @@ fn mesh_shape(
     }
     move_objects(objects, &mended.facet_origin);
     if !(run.join && run.triangulate) {
-        return Ok(shape_of(mended));
+        return Ok(Shape::of_mended(mended));
     }
     let joined_origin = mended.facet_origin.clone();
     let cut = mended.without_holes().map_err(|(facet, error)| {
@@ -76,21 +76,6 @@ fn mesh_shape(
 /// For each entry of a list its place in another one; both ascend, and the second has all entries of the first.
 fn positions_of(entries: &[u32], among: &[u32]) -> Vec<u32> {
     entries.iter().map(|entry| among.partition_point(|other| other < entry) as u32).collect()
-}
-
-/// Facets with holes make a complex of cells.
-fn shape_of(mended: Mended) -> Shape {
-    if mended.holes.is_empty() {
-        return Shape::Mesh(mended.mesh);
-    }
-    let mut complex = Complex::default();
-    for (f, cycle) in mended.mesh.facets.iter().enumerate() {
-        let mut facet = Facet::of_cycle(cycle.to_vec(), [0, 1]);
-        facet.holes = mended.holes_of(f).iter().map(|hole| hole.cycle.clone()).collect();
-        complex.facets.push(facet);
-    }
-    complex.vertices = mended.mesh.points.into_iter().map(Vertex::point).collect();
-    Shape::Complex(complex)
 }
 
 /// A mesh cut into triangles; a failure names the facet.
