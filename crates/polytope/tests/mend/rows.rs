@@ -105,7 +105,7 @@ fn rows() -> Vec<Row> {
             ),
             JOIN,
             [6, 1, 0],
-            &["coplanar facets and collinear edges joined: 1 facets and 7 vertices became 1 and 6"],
+            &["coplanar facets and collinear edges joined: 1 facet and 7 vertices became 1 and 6"],
         ),
         (
             "facets that turn different ways are not joined",
@@ -163,7 +163,7 @@ fn rows() -> Vec<Row> {
             mesh(&[&square[..], &[[9, 9, 0]]].concat(), &[&[0, 1, 2, 4, 2, 3]]),
             JOIN,
             [4, 1, 0],
-            &["coplanar facets and collinear edges joined: 1 facets and 5 vertices became 1 and 4"],
+            &["coplanar facets and collinear edges joined: 1 facet and 5 vertices became 1 and 4"],
         ),
         (
             "two lobes with a hole in each",
@@ -187,7 +187,7 @@ fn rows() -> Vec<Row> {
             ),
             JOIN,
             [13, 2, 2],
-            &["coplanar facets and collinear edges joined: 1 facets and 13 vertices became 2 and 13"],
+            &["coplanar facets and collinear edges joined: 1 facet and 13 vertices became 2 and 13"],
         ),
         (
             "a wall in the middle of a floor",
