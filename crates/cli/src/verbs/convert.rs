@@ -41,7 +41,7 @@ fn mesh_shape(
     console: &Console,
 ) -> Result<Shape, Failure> {
     let mut notes = Vec::new();
-    let what = Mending { join: run.join };
+    let what = if run.join { Mending::joining() } else { Mending::new() };
     // Triangles come first: they are the way out for facets that are not planar.
     let mended = if run.triangulate {
         let triangles = triangulated(&filed, operand)?;

@@ -1,9 +1,12 @@
 //! Facets cut into triangles, convex or not, with holes or without. `sweep` cuts those that are not convex.
 
 mod holes;
+mod nesting;
 mod outline;
 mod status;
 mod sweep;
+
+pub(crate) use nesting::outer_cycles;
 
 pub use holes::{HoleError, triangulate_with_holes};
 

@@ -84,18 +84,7 @@ pub(super) fn triangles(outline: &Outline<'_>) -> Result<Vec<[u32; 3]>, Fault> {
         nodes: Vec::new(),
         triangles: Vec::new(),
     };
-    let place = |edge: u32| (outline.rank(outline.edge(edge).low), edge);
-    let mut starting: Vec<u32> = (0..outline.edges.len() as u32).collect();
-    starting.sort_unstable_by_key(|&edge| place(edge));
-    let mut corners: Vec<u32> = (0..outline.vertices.len() as u32).collect();
-    corners.sort_unstable_by_key(|&corner| (outline.rank(corner), corner));
-    let mut starting = &mut starting[..];
-    for group in corners.chunk_by(|&a, &b| outline.rank(a) == outline.rank(b)) {
-        let begin = starting.partition_point(|&edge| place(edge).0 == outline.rank(group[0]));
-        let (now, later) = starting.split_at_mut(begin);
-        sweep.visit(group[0], now)?;
-        starting = later;
-    }
+    outline.visit_corners(|at, starting| sweep.visit(at, starting))?;
     let vertices = |triangle: &[u32; 3]| triangle.map(|corner| outline.vertex(corner));
     Ok(sweep.triangles.iter().map(vertices).collect())
 }
@@ -175,19 +164,10 @@ impl Sweep<'_, '_> {
     /// is on both sides of them.
     fn sort(&self, starting: &mut [u32]) -> Result<(), Fault> {
         let outline = self.outline;
-        let turn = |a: u32, b: u32| {
-            let (a, b) = (outline.edge(a), outline.edge(b));
-            outline.turn(a.low, a.high, b.high)
-        };
-        let kind = |e: u32| (outline.rank(outline.edge(e).high), outline.edge(e).forward);
-        starting.sort_by(|&a, &b| match turn(a, b) {
-            Sign::Positive => Ordering::Less,
-            Sign::Negative => Ordering::Greater,
-            Sign::Zero => kind(a).cmp(&kind(b)),
-        });
+        outline.sort_starting(starting);
         for pair in starting.windows(2) {
-            let (a, b) = (kind(pair[0]), kind(pair[1]));
-            if turn(pair[0], pair[1]) == Sign::Zero && (a.0 != b.0 || a.1 == b.1) {
+            let [a, b] = [0, 1].map(|i| outline.length_and_way(pair[i]));
+            if outline.turn_between(pair[0], pair[1]) == Sign::Zero && (a.0 != b.0 || a.1 == b.1) {
                 return Err(self.crossing(pair[0], pair[1]));
             }
         }
