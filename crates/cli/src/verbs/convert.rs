@@ -41,7 +41,9 @@ fn mesh_shape(
     console: &Console,
 ) -> Result<Shape, Failure> {
     let mut notes = Vec::new();
-    let what = Mending { join: run.join };
+    // Facets of two objects do not become one.
+    let labels = labels(objects, filed.facets.len());
+    let what = if run.join { Mending::joining().within(&labels) } else { Mending::new() };
     // Triangles are the way out for facets that are not planar, and these cannot be joined.
     let triangles_first = run.triangulate && !run.join;
     let mended = if triangles_first {
@@ -71,6 +73,22 @@ fn mesh_shape(
     move_objects(objects, &cut_origin);
     formats::objects_of_triangles(objects, &cut.mesh);
     triangulated(&cut.mesh, operand).map(Shape::Mesh)
+}
+
+/// For each facet the number of objects that begin before it or at it.
+fn labels(objects: &[Object], facets: usize) -> Vec<u32> {
+    let mut labels = vec![0; facets];
+    for object in objects {
+        if let Some(label) = labels.get_mut(object.first_facet as usize) {
+            *label += 1;
+        }
+    }
+    let mut objects = 0;
+    for label in &mut labels {
+        objects += *label;
+        *label = objects;
+    }
+    labels
 }
 
 /// For each entry of a list its place in another one; both ascend, and the second has all entries of the first.

@@ -2,7 +2,7 @@
 //!
 //! 1. Edges without length are contracted, and facets without area taken out ([`super::slack`]).
 //! 2. An edge goes if exactly two facets run through it, in opposite directions and in one plane with one
-//!    normal, or one facet both ways.
+//!    normal, or one facet both ways. If facets have labels, those of the two must be equal.
 //! 3. What is left of the boundaries is walked around: at the end of an edge, the fan of facets that are
 //!    joined leads to the next one. So a walk goes around a connected inside, and where it comes to a vertex
 //!    again, a cycle is closed there. All cycles are simple.
@@ -18,7 +18,8 @@ use super::slack;
 use super::weld::Compact;
 use crate::Facets;
 use crate::polytope::nonzero_axis;
-use exact::{Integer, Point3, Rational, Sign, Vector3, predicate};
+use crate::triangulate::outer_cycles;
+use exact::{Point3, Sign, Vector3, predicate};
 
 const NONE: u32 = u32::MAX;
 
@@ -40,12 +41,12 @@ impl Joined {
     }
 }
 
-/// Joins what is flat, if any facet has area. Facets that are not planar, or have two vertices only, stay as
-/// they are.
+/// Joins what is flat, if any facet has area, and what has one label, if there are some for the facets of the
+/// mesh that was given. Facets that are not planar, or have two vertices only, stay as they are.
 ///
 /// # Complexity
-/// `n log n`; for a facet that is several by itself, its outer cycles times its holes.
-pub(super) fn join(mut compact: Compact) -> Joined {
+/// `n log n`.
+pub(super) fn join(mut compact: Compact, labels: Option<&[u32]>) -> Joined {
     let has_area = |cycle: &[u32]| !matches!(Shape::of(&compact.points, cycle), Shape::Line);
     if !compact.facets.iter().any(has_area) {
         return Joined { compact, hole_facets: Vec::new(), holes: Facets::new() };
@@ -54,7 +55,7 @@ pub(super) fn join(mut compact: Compact) -> Joined {
     let mut shapes: Vec<Shape> =
         compact.facets.iter().map(|cycle| Shape::of(&compact.points, cycle)).collect();
     slack::take_out(&mut compact, &mut shapes);
-    let mut cycles = Boundaries { compact: &compact, shapes: &shapes }.cycles();
+    let mut cycles = Boundaries { compact: &compact, shapes: &shapes, labels }.cycles();
     straighten(&compact.points, &mut cycles);
     collect(compact, &cycles)
 }
@@ -78,6 +79,7 @@ struct Cycles {
 struct Boundaries<'m> {
     compact: &'m Compact,
     shapes: &'m [Shape],
+    labels: Option<&'m [u32]>,
 }
 
 impl Boundaries<'_> {
@@ -86,6 +88,12 @@ impl Boundaries<'_> {
             Shape::Plane(plane) => Some(plane),
             _ => None,
         }
+    }
+
+    /// Whether two facets have the same label, or there are none.
+    fn alike(&self, f: usize, g: usize) -> bool {
+        let label = |f: usize| self.labels.map(|labels| labels[self.compact.facet_names[f] as usize]);
+        label(f) == label(g)
     }
 
     /// Whether two facets with a common edge lie in one plane and have the same normal.
@@ -109,7 +117,7 @@ impl Boundaries<'_> {
         for edge in table.edges() {
             let &[c, d] = edge else { continue };
             let [f, g] = [c, d].map(|corner| table.facet(corner));
-            if table.source(c) != table.source(d) && self.coplanar(f, g) {
+            if table.source(c) != table.source(d) && self.alike(f, g) && self.coplanar(f, g) {
                 (twin[c as usize], twin[d as usize]) = (d, c);
                 groups.join(f, g);
             }
@@ -176,10 +184,10 @@ impl Boundaries<'_> {
                 // Facets that cross themselves may have any area.
                 outers.append(&mut holes);
             }
+            let around = self.around(&cycles, &plane.normal, &outers, &holes);
             let mut of: Vec<Vec<Cycle>> = outers.iter().map(|_| Vec::new()).collect();
-            for hole in holes {
-                let around = self.around(&cycles, &plane.normal, &outers, &hole);
-                of[around].push(hole);
+            for (hole, outer) in holes.into_iter().zip(around) {
+                of[outer].push(hole);
             }
             for (outer, holes) in outers.into_iter().zip(of) {
                 sorted.push(outer);
@@ -190,62 +198,16 @@ impl Boundaries<'_> {
         cycles
     }
 
-    /// The outer cycle around a hole.
-    fn around(&self, cycles: &Cycles, normal: &Vector3, outers: &[Cycle], hole: &Cycle) -> usize {
-        let points = |cycle: &Cycle| -> Vec<&Point3> {
-            let vertices = &cycles.vertices[cycle.start as usize..cycle.end as usize];
-            vertices.iter().map(|&v| &self.compact.points[v as usize]).collect()
-        };
-        if outers.len() == 1 {
-            return 0;
+    /// The outer cycle around each hole. If cycles cross, no such thing is known; then it is the first.
+    fn around(&self, cycles: &Cycles, normal: &Vector3, outers: &[Cycle], holes: &[Cycle]) -> Vec<usize> {
+        if outers.len() == 1 || holes.is_empty() {
+            return vec![0; holes.len()];
         }
-        let inner = points(hole);
-        let least = inner.iter().min().expect("a cycle has corners");
-        let holds = |outer: &Cycle| {
-            let outer = points(outer);
-            let range = [outer.iter().min(), outer.iter().max()];
-            let within =
-                range[0].is_some_and(|low| low <= least) && range[1].is_some_and(|high| least <= high);
-            within && is_around(&outer, &inner, normal)
-        };
-        outers.iter().position(holds).unwrap_or(0)
+        let vertices = |cycle: &Cycle| &cycles.vertices[cycle.start as usize..cycle.end as usize];
+        let all: Vec<&[u32]> = outers.iter().chain(holes).map(vertices).collect();
+        outer_cycles(&self.compact.points, normal.clone(), &all, outers.len())
+            .unwrap_or_else(|| vec![0; holes.len()])
     }
-}
-
-/// Whether a simple cycle lies inside another one that it does not cross, in a plane with that normal.
-fn is_around(outer: &[&Point3], inner: &[&Point3], normal: &Vector3) -> bool {
-    let corners = inner.iter().map(|&p| p.clone());
-    let middles = (0..inner.len()).map(|i| middle(inner[i], inner[(i + 1) % inner.len()]));
-    // The first point that is not on the boundary decides.
-    let sides = corners.chain(middles).map(|p| winding(outer, &p, normal));
-    sides.flatten().next().unwrap_or(false)
-}
-
-fn middle(p: &Point3, q: &Point3) -> Point3 {
-    let half = Rational::new(Integer::from(1), Integer::from(2)).expect("two is not zero");
-    Point3::from_rationals(&p.plus(q).coordinates().map(|c| c * half.clone()))
-}
-
-/// Whether a point of the plane lies inside a simple cycle; none on the boundary.
-fn winding(cycle: &[&Point3], p: &Point3, normal: &Vector3) -> Option<bool> {
-    let mut inside = false;
-    for (i, &a) in cycle.iter().enumerate() {
-        let b = cycle[(i + 1) % cycle.len()];
-        // A ray upwards from the point: in the lexicographic order it lies to the right of all that is before
-        // it.
-        let (low, high) = if a <= b { (a, b) } else { (b, a) };
-        if p == low || p == high {
-            return None;
-        }
-        if low < p && p < high {
-            match predicate::orientation(normal, &low.direction_to(high), &low.direction_to(p)) {
-                Sign::Zero => return None,
-                Sign::Negative => inside = !inside,
-                Sign::Positive => {}
-            }
-        }
-    }
-    Some(inside)
 }
 
 impl Cycles {

@@ -8,16 +8,39 @@ use crate::measure::signed_volume;
 use crate::{Facets, HoleError, PolygonMesh, triangulate_with_holes};
 use exact::Sign;
 
-/// What is mended besides what always is.
+/// What is mended besides what always is; by default nothing.
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub struct Mending {
+#[non_exhaustive]
+pub struct Mending<'l> {
     /// Whether flat edges are joined: coplanar neighbors that face the same side become one facet, and
     /// collinear edges one edge. Facets without area go with that.
     pub join: bool,
+    /// A label for each facet of the mesh that is given, its object for example: only facets with equal labels
+    /// become one. None if any may.
+    pub labels: Option<&'l [u32]>,
+}
+
+impl<'l> Mending<'l> {
+    /// Nothing more.
+    pub const fn new() -> Self {
+        Self { join: false, labels: None }
+    }
+
+    /// Joins flat edges.
+    pub const fn joining() -> Self {
+        Self { join: true, labels: None }
+    }
+
+    /// The same, but no two facets become one that have different labels: there is one for each facet.
+    #[must_use]
+    pub const fn within(self, labels: &'l [u32]) -> Self {
+        Self { labels: Some(labels), ..self }
+    }
 }
 
 /// A mesh that was mended, with the way back to the one that was given.
 #[derive(Clone, Debug, Default)]
+#[non_exhaustive]
 pub struct Mended {
     /// The vertices, and the outer cycles of the facets.
     pub mesh: PolygonMesh,
@@ -31,6 +54,7 @@ pub struct Mended {
 
 /// A hole of a facet.
 #[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
 pub struct Hole {
     /// The facet.
     pub facet: u32,
@@ -47,12 +71,14 @@ impl PolygonMesh {
     /// 2. If the facets do not form a closed surface by their indices, vertices at equal positions are
     ///    welded. Facets that are left with fewer than three vertices go.
     /// 3. If the surface encloses a negative volume, all facets are turned round. So a void stays a void.
-    /// 4. On demand, flat edges are joined ([`Mending::join`]). A facet may have holes then; its cycles are
-    ///    simple, and may touch one another at vertices.
+    /// 4. On demand, flat edges are joined ([`Mending::join`]), perhaps of facets with equal labels only
+    ///    ([`Mending::labels`]). A facet may have holes then; its cycles are simple, and may touch one another at
+    ///    vertices.
     ///
     /// Degenerate: a surface that encloses no volume keeps its orientation, and so does one with borders.
     /// Facets without area are kept unless flat edges are joined; then a vertex of theirs that lies inside an
-    /// edge of a neighbor becomes a vertex of the neighbor. If no facet has area, none of them goes. Facets
+    /// edge of a neighbor becomes a vertex of the neighbor, whatever the labels. If no facet has area, none of
+    /// them goes. A vertex inside a straight edge goes from the facets of all labels at once. Facets
     /// of two vertices are kept, if there are no others.
     ///
     /// ```
@@ -63,7 +89,7 @@ impl PolygonMesh {
     /// mesh.facets.push(&[0, 1, 2]);
     /// mesh.facets.push(&[0, 2, 3]);
     /// let mut notes = Vec::new();
-    /// let square = mesh.mended(Mending { join: true }, &mut notes)?;
+    /// let square = mesh.mended(Mending::joining(), &mut notes)?;
     /// assert_eq!(square.mesh.facets.get(0), [0, 1, 2, 3]);
     /// assert_eq!(notes[0].to_string(), "1 unused vertex dropped");
     /// # Ok::<(), splitstar_polytope::MeshError>(())
@@ -73,9 +99,15 @@ impl PolygonMesh {
     /// No vertex, an index that is none, a facet of two vertices beside larger ones, or a facet of four or
     /// more corners that do not lie in one plane ([`triangulated`](Self::triangulated) is a way out).
     ///
+    /// # Panics
+    /// If there are labels, but not one for each facet.
+    ///
     /// # Complexity
     /// `n log n`, and about ten times the memory of the mesh.
-    pub fn mended(&self, what: Mending, notes: &mut Vec<Note>) -> Result<Mended, MeshError> {
+    pub fn mended(&self, what: Mending<'_>, notes: &mut Vec<Note>) -> Result<Mended, MeshError> {
+        if let Some(labels) = what.labels {
+            assert_eq!(labels.len(), self.facets.len(), "there is a label for each facet");
+        }
         if self.points.is_empty() {
             return Err(MeshError::Empty);
         }
@@ -102,7 +134,7 @@ impl PolygonMesh {
             return Ok(compact.into());
         }
         let from = [compact.points.len(), compact.facets.len()];
-        let joined = join(compact);
+        let joined = join(compact, what.labels);
         let to = [joined.compact.points.len(), joined.compact.facets.len()];
         if from != to {
             notes.push(Note::Joined { from, to });

@@ -86,7 +86,7 @@ impl MeshSummary {
         let volume = volume.then(|| signed_volume(&compact.points, &compact.facets).abs());
         let dimension = convex_hull(&compact.points).map(|hull| hull.dimension);
         let bounds = Bounds::of(&compact.points);
-        let joined = join(compact);
+        let joined = join(compact, None);
         Self {
             vertices: joined.compact.points.len(),
             edges: joined.edges(),

@@ -87,7 +87,8 @@ impl std::error::Error for HoleError {}
 /// If an index is out of the range of `points`.
 ///
 /// # Complexity
-/// `c log c` tests, each a polynomial of degree 4 in the coordinates of the input.
+/// `c log c` tests, each a polynomial of degree 4 in the coordinates of the input, and up to `c^1.5` moves of
+/// a number in memory.
 pub fn triangulate_with_holes(
     points: &[Point3],
     outer: &[u32],

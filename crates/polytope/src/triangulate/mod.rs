@@ -1,8 +1,12 @@
 //! Facets cut into triangles, convex or not, with holes or without. `sweep` cuts those that are not convex.
 
 mod holes;
+mod nesting;
 mod outline;
+mod status;
 mod sweep;
+
+pub(crate) use nesting::outer_cycles;
 
 pub use holes::{HoleError, triangulate_with_holes};
 
@@ -63,7 +67,8 @@ impl PolygonMesh {
     /// way.
     ///
     /// # Complexity
-    /// Linear in the corners of strictly convex facets; `k log k` for another facet of k corners.
+    /// Linear in the corners of strictly convex facets; `k log k` tests for another facet of k corners, and up
+    /// to `k^1.5` moves of a number in memory.
     pub fn triangulated(&self) -> Result<Self, TriangulateError> {
         let mut facets = Facets::with_capacity(self.facets.corners().len(), 3 * self.facets.corners().len());
         for (facet, cycle) in self.facets.iter().enumerate() {

@@ -124,6 +124,46 @@ impl<'a> Outline<'a> {
         &self.edges[edge as usize]
     }
 
+    /// Visits the places of corners in the order of the plane, each with one corner and the edges that start
+    /// there.
+    pub(super) fn visit_corners<E>(
+        &self,
+        mut visit: impl FnMut(u32, &mut [u32]) -> Result<(), E>,
+    ) -> Result<(), E> {
+        let start = |edge: u32| self.rank(self.edge(edge).low);
+        let mut starting: Vec<u32> = (0..self.edges.len() as u32).collect();
+        starting.sort_unstable_by_key(|&edge| (start(edge), edge));
+        let mut corners: Vec<u32> = (0..self.vertices.len() as u32).collect();
+        corners.sort_unstable_by_key(|&corner| (self.rank(corner), corner));
+        let mut starting = &mut starting[..];
+        for group in corners.chunk_by(|&a, &b| self.rank(a) == self.rank(b)) {
+            let count = starting.partition_point(|&edge| start(edge) == self.rank(group[0]));
+            let (now, later) = starting.split_at_mut(count);
+            visit(group[0], now)?;
+            starting = later;
+        }
+        Ok(())
+    }
+
+    /// Sorts edges that start at one place from bottom to top.
+    pub(super) fn sort_starting(&self, starting: &mut [u32]) {
+        starting.sort_by(|&a, &b| match self.turn_between(a, b) {
+            Sign::Positive => Ordering::Less,
+            Sign::Negative => Ordering::Greater,
+            Sign::Zero => self.length_and_way(a).cmp(&self.length_and_way(b)),
+        });
+    }
+
+    /// Whether the second of two edges that start at one place is above the first (positive), or in line.
+    pub(super) fn turn_between(&self, a: u32, b: u32) -> Sign {
+        self.turn(self.edge(a).low, self.edge(a).high, self.edge(b).high)
+    }
+
+    /// What tells edges apart that start at one place and are in line.
+    pub(super) fn length_and_way(&self, edge: u32) -> (u32, bool) {
+        (self.rank(self.edge(edge).high), self.edge(edge).forward)
+    }
+
     /// The vertices of an edge, in the direction of its cycle.
     pub(super) fn ends(&self, edge: u32) -> [u32; 2] {
         let edge = self.edge(edge);

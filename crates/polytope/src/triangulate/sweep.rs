@@ -25,6 +25,7 @@
 //! rest.
 
 use super::outline::Outline;
+use super::status::Status;
 use exact::Sign;
 use std::cmp::Ordering;
 
@@ -58,7 +59,7 @@ struct Gap {
 struct Sweep<'o, 'p> {
     outline: &'o Outline<'p>,
     /// The edges on the sweep line, from bottom to top.
-    status: Vec<u32>,
+    status: Status,
     /// For each forward edge of the status: the gap above it.
     gaps: Vec<Gap>,
     nodes: Vec<Node>,
@@ -68,7 +69,8 @@ struct Sweep<'o, 'p> {
 /// Cuts the facet with that boundary into triangles of its vertices, each counterclockwise.
 ///
 /// # Complexity
-/// `k log k` tests for k corners, and for each corner moving a part of the status.
+/// `k log k` tests for k corners, and for each corner moving a part of the status that has at most the root of
+/// k, or 512, edges.
 ///
 /// # References
 /// S. Hertel and K. Mehlhorn, "Fast triangulation of the plane with respect to simple polygons", 1985.
@@ -77,23 +79,12 @@ pub(super) fn triangles(outline: &Outline<'_>) -> Result<Vec<[u32; 3]>, Fault> {
     let none = Gap { bottom: NONE, top: NONE, recent: NONE };
     let mut sweep = Sweep {
         outline,
-        status: Vec::new(),
+        status: Status::new(outline.edges.len()),
         gaps: vec![none; outline.edges.len()],
         nodes: Vec::new(),
         triangles: Vec::new(),
     };
-    let place = |edge: u32| (outline.rank(outline.edge(edge).low), edge);
-    let mut starting: Vec<u32> = (0..outline.edges.len() as u32).collect();
-    starting.sort_unstable_by_key(|&edge| place(edge));
-    let mut corners: Vec<u32> = (0..outline.vertices.len() as u32).collect();
-    corners.sort_unstable_by_key(|&corner| (outline.rank(corner), corner));
-    let mut starting = &mut starting[..];
-    for group in corners.chunk_by(|&a, &b| outline.rank(a) == outline.rank(b)) {
-        let begin = starting.partition_point(|&edge| place(edge).0 == outline.rank(group[0]));
-        let (now, later) = starting.split_at_mut(begin);
-        sweep.visit(group[0], now)?;
-        starting = later;
-    }
+    outline.visit_corners(|at, starting| sweep.visit(at, starting))?;
     let vertices = |triangle: &[u32; 3]| triangle.map(|corner| outline.vertex(corner));
     Ok(sweep.triangles.iter().map(vertices).collect())
 }
@@ -102,9 +93,10 @@ impl Sweep<'_, '_> {
     /// Visits a corner at which edges start.
     fn visit(&mut self, at: u32, starting: &mut [u32]) -> Result<(), Fault> {
         let outline = self.outline;
-        let first = self.status.partition_point(|&edge| outline.side(edge, at) == Sign::Positive);
-        let count = self.status[first..].partition_point(|&edge| outline.side(edge, at) == Sign::Zero);
-        let ending: Vec<u32> = self.status[first..first + count].to_vec();
+        let place = self.status.search(|edge| outline.side(edge, at) == Sign::Positive);
+        let ends_here = |edge: &u32| outline.side(*edge, at) == Sign::Zero;
+        let ending: Vec<u32> = self.status.from(place).take_while(ends_here).collect();
+        let over = self.status.from(place).nth(ending.len());
         self.sort(starting)?;
         let passing = ending.iter().find(|&&e| outline.rank(outline.edge(e).high) != outline.rank(at));
         if let Some(&edge) = passing {
@@ -113,7 +105,7 @@ impl Sweep<'_, '_> {
                 None => Fault::Astray(outline.ends(edge)),
             });
         }
-        let below = first.checked_sub(1).map(|under| self.status[under]);
+        let below = self.status.below(place);
         let inside = below.is_some_and(|edge| outline.edge(edge).forward);
         self.check_ring(&ending, starting, inside)?;
 
@@ -158,29 +150,24 @@ impl Sweep<'_, '_> {
                 }
             }
         }
-        self.status.splice(first..first + count, starting.iter().copied());
-        let mut seams = vec![first, first + starting.len()];
-        seams.dedup();
-        seams.into_iter().try_for_each(|seam| self.check_seam(seam))
+        self.status.replace(place, ending.len(), starting);
+        match (starting.first(), starting.last()) {
+            (Some(&first), Some(&last)) => {
+                self.check_seam(below, Some(first))?;
+                self.check_seam(Some(last), over)
+            }
+            _ => self.check_seam(below, over),
+        }
     }
 
     /// Sorts edges that start at one place from bottom to top. Where two run through the same edge, the facet
     /// is on both sides of them.
     fn sort(&self, starting: &mut [u32]) -> Result<(), Fault> {
         let outline = self.outline;
-        let turn = |a: u32, b: u32| {
-            let (a, b) = (outline.edge(a), outline.edge(b));
-            outline.turn(a.low, a.high, b.high)
-        };
-        let kind = |e: u32| (outline.rank(outline.edge(e).high), outline.edge(e).forward);
-        starting.sort_by(|&a, &b| match turn(a, b) {
-            Sign::Positive => Ordering::Less,
-            Sign::Negative => Ordering::Greater,
-            Sign::Zero => kind(a).cmp(&kind(b)),
-        });
+        outline.sort_starting(starting);
         for pair in starting.windows(2) {
-            let (a, b) = (kind(pair[0]), kind(pair[1]));
-            if turn(pair[0], pair[1]) == Sign::Zero && (a.0 != b.0 || a.1 == b.1) {
+            let [a, b] = [0, 1].map(|i| outline.length_and_way(pair[i]));
+            if outline.turn_between(pair[0], pair[1]) == Sign::Zero && (a.0 != b.0 || a.1 == b.1) {
                 return Err(self.crossing(pair[0], pair[1]));
             }
         }
@@ -212,13 +199,10 @@ impl Sweep<'_, '_> {
         Ok(())
     }
 
-    /// Checks that the two edges that have become neighbors at a place of the status do not cross.
-    fn check_seam(&self, seam: usize) -> Result<(), Fault> {
+    /// Checks that two edges that have become neighbors in the status do not cross.
+    fn check_seam(&self, lower: Option<u32>, upper: Option<u32>) -> Result<(), Fault> {
         let outline = self.outline;
-        let Some(under) = seam.checked_sub(1) else { return Ok(()) };
-        let (Some(&lower), Some(&upper)) = (self.status.get(under), self.status.get(seam)) else {
-            return Ok(());
-        };
+        let (Some(lower), Some(upper)) = (lower, upper) else { return Ok(()) };
         let ends = [lower, upper].map(|edge| outline.edge(edge).high);
         let apart = match outline.rank(ends[0]).cmp(&outline.rank(ends[1])) {
             Ordering::Less => outline.side(upper, ends[0]) == Sign::Negative,

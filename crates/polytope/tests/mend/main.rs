@@ -9,10 +9,10 @@ use exact::{Point3, Rational};
 use splitstar_polytope::{Mended, Mending, Note, PolygonMesh};
 use std::collections::{BTreeMap, BTreeSet};
 
-const KEEP: Mending = Mending { join: false };
-const JOIN: Mending = Mending { join: true };
+const KEEP: Mending<'static> = Mending::new();
+const JOIN: Mending<'static> = Mending::joining();
 
-fn mend(mesh: &PolygonMesh, what: Mending) -> (Mended, Vec<Note>) {
+fn mend(mesh: &PolygonMesh, what: Mending<'_>) -> (Mended, Vec<Note>) {
     let mut notes = Vec::new();
     let mended = mesh.mended(what, &mut notes).unwrap_or_else(|error| panic!("{error}"));
     check_origins(mesh, &mended);
@@ -20,7 +20,7 @@ fn mend(mesh: &PolygonMesh, what: Mending) -> (Mended, Vec<Note>) {
 }
 
 fn check_origins(given: &PolygonMesh, mended: &Mended) {
-    let Mended { mesh, holes, facet_origin, vertex_origin } = mended;
+    let Mended { mesh, holes, facet_origin, vertex_origin, .. } = mended;
     assert_eq!([facet_origin.len(), vertex_origin.len()], [mesh.facets.len(), mesh.points.len()]);
     assert!(facet_origin.iter().all(|&f| (f as usize) < given.facets.len()));
     for (point, &origin) in mesh.points.iter().zip(vertex_origin) {
