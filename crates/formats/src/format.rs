@@ -39,6 +39,8 @@ pub(crate) struct Abilities {
     pub(crate) points: bool,
     pub(crate) objects: bool,
     pub(crate) unit: bool,
+    /// Vertices that are in no facet, where there are facets.
+    pub(crate) unused_vertices: bool,
 }
 
 impl Format {
@@ -100,16 +102,28 @@ impl Format {
     }
 
     pub(crate) fn abilities(self) -> Abilities {
-        let mesh = Abilities { polygons: true, points: true, objects: false, unit: false };
+        let mesh =
+            Abilities { polygons: true, points: true, objects: false, unit: false, unused_vertices: true };
         match self {
             Self::Off | Self::Ply | Self::PlyBigEndian | Self::PlyAscii => mesh,
             Self::Obj | Self::Vrml => Abilities { objects: true, ..mesh },
             // A text may have several solids, but many programs read the first one only.
-            Self::Stl | Self::StlAscii => Abilities { polygons: false, points: false, ..mesh },
-            Self::ThreeMf => Abilities { polygons: false, points: false, objects: true, unit: true },
+            Self::Stl | Self::StlAscii => {
+                Abilities { polygons: false, points: false, unused_vertices: false, ..mesh }
+            }
+            Self::ThreeMf => Abilities {
+                polygons: false,
+                points: false,
+                objects: true,
+                unit: true,
+                unused_vertices: false,
+            },
             // Its unit is the meter: a model with a unit is scaled.
-            Self::Glb => Abilities { polygons: false, objects: true, unit: true, ..mesh },
-            Self::Star => Abilities { objects: true, unit: true, ..mesh },
+            Self::Glb => {
+                Abilities { polygons: false, objects: true, unit: true, unused_vertices: false, ..mesh }
+            }
+            // There they would be points of the set.
+            Self::Star => Abilities { objects: true, unit: true, unused_vertices: false, ..mesh },
         }
     }
 
@@ -140,6 +154,18 @@ impl Format {
         if start.starts_with(b"#VRML") || start.starts_with(b"\xEF\xBB\xBF#VRML") {
             return Content::Known(Self::Vrml);
         }
+        let content = Self::of_first_word(start);
+        match content {
+            // Binary STL that is cut short, with a header that begins like a text.
+            Content::Known(format) if format != Self::StlAscii && crate::stl::has_zero(start) => {
+                Content::Unlikely(format)
+            }
+            _ => content,
+        }
+    }
+
+    /// The format of a text, by its first word.
+    fn of_first_word(start: &[u8]) -> Content {
         let Some(word) = Scanner::new(start).token() else { return Content::Unknown };
         match word.bytes {
             b"star" => Content::Known(Self::Star),
@@ -158,6 +184,8 @@ impl Format {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Content {
     Known(Format),
+    /// It begins as a text of this format, but has zero bytes, as no text has: the ending decides, if there is one.
+    Unlikely(Format),
     Gzip,
     /// No format of ours is bare XML or JSON, but people will try.
     Xml,
