@@ -151,21 +151,21 @@ impl Format {
         if crate::stl::is_binary(start, length) {
             return Content::Known(Self::Stl);
         }
-        if start.starts_with(b"#VRML") || start.starts_with(b"\xEF\xBB\xBF#VRML") {
-            return Content::Known(Self::Vrml);
-        }
-        let content = Self::of_first_word(start);
+        let content = Self::of_text(start);
+        // Binary STL that is cut short may have a header that begins like any text.
         match content {
-            // Binary STL that is cut short, with a header that begins like a text.
-            Content::Known(format) if format != Self::StlAscii && crate::stl::has_zero(start) => {
-                Content::Unlikely(format)
-            }
+            Content::Known(Self::StlAscii) => content,
+            Content::Known(format) if crate::stl::has_zero(start) => Content::Unlikely(format),
+            Content::Xml | Content::Json if crate::stl::has_zero(start) => Content::Unknown,
             _ => content,
         }
     }
 
-    /// The format of a text, by its first word.
-    fn of_first_word(start: &[u8]) -> Content {
+    /// The format of a text, by its first line or word.
+    fn of_text(start: &[u8]) -> Content {
+        if start.starts_with(b"#VRML") || start.starts_with(b"\xEF\xBB\xBF#VRML") {
+            return Content::Known(Self::Vrml);
+        }
         let Some(word) = Scanner::new(start).token() else { return Content::Unknown };
         match word.bytes {
             b"star" => Content::Known(Self::Star),

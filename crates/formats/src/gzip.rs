@@ -20,7 +20,8 @@ const STEP: usize = 1 << 16;
 /// Data that is damaged, at the byte where its member begins; or so much that no mesh of it would fit.
 pub(crate) fn unpack(bytes: &[u8], budget: &mut Budget) -> Result<Vec<u8>, Located> {
     let mut unpacked = Unpacked::within(budget);
-    let mut members = Members { rest: bytes, inflater: Decompress::new(false), crc: Crc::new(), ended: false };
+    let mut members =
+        Members { rest: bytes, inflater: Decompress::new(false), crc: Crc::new(), ended: false };
     while members.rest.len() == bytes.len() || members.rest.iter().any(|&byte| byte != 0) {
         let start = (bytes.len() - members.rest.len()) as u64;
         if start > 0 && !members.rest.starts_with(MAGIC) {

@@ -96,7 +96,11 @@ pub fn check_start(start: &[u8], file_name: Option<&str>) -> Result<(), ReadErro
     let content = Format::of_content(start, start.len());
     let known = matches!(content, Content::Known(_) | Content::Unlikely(_) | Content::Gzip)
         || (content == Content::Unknown && file_name.and_then(Encoding::from_file_name).is_some());
-    if known || stl::may_be_binary(start) || stl::is_broken_binary(start) { Ok(()) } else { Err(unknown(start, content)) }
+    if known || stl::may_be_binary(start) || stl::is_broken_binary(start) {
+        Ok(())
+    } else {
+        Err(unknown(start, content))
+    }
 }
 
 fn unknown(bytes: &[u8], content: Content) -> ReadError {

@@ -128,9 +128,7 @@ fn many_empty_members_end_soon() {
 #[test]
 fn all_parts_of_a_header_are_read() {
     let whole = pack(TRIANGLE);
-    let with = |flags: u8, parts: &[u8]| {
-        [&whole[..3], &[flags], &whole[4..10], parts, &whole[10..]].concat()
-    };
+    let with = |flags: u8, parts: &[u8]| [&whole[..3], &[flags], &whole[4..10], parts, &whole[10..]].concat();
     assert_triangle(read(&with(4, b"\x03\0abc"), None), "an extra field");
     assert_triangle(read(&with(4 | 8 | 16, b"\0\0a.off\0a triangle\0"), None), "all three");
     let mut crc = flate2::Crc::new();

@@ -144,10 +144,7 @@ fn put_views(out: &mut impl Write, run: &Run<'_>, offset: &mut usize) -> io::Res
 }
 
 fn put_view(out: &mut impl Write, length: usize, target: u32, offset: &mut usize) -> io::Result<()> {
-    write!(
-        out,
-        "{{\"buffer\":0,\"byteLength\":{length},\"byteOffset\":{offset},\"target\":{target}}}"
-    )?;
+    write!(out, "{{\"buffer\":0,\"byteLength\":{length},\"byteOffset\":{offset},\"target\":{target}}}")?;
     *offset += length;
     Ok(())
 }

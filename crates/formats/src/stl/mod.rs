@@ -47,9 +47,8 @@ pub(crate) fn may_be_binary(start: &[u8]) -> bool {
 /// and at most the double of it.
 pub(crate) fn is_broken_binary(bytes: &[u8]) -> bool {
     let length = bytes.len() as u64;
-    let is_near = |(count, promised): (u32, u64)| {
-        count > 0 && promised <= 2 * length && length <= 2 * promised
-    };
+    let is_near =
+        |(count, promised): (u32, u64)| count > 0 && promised <= 2 * length && length <= 2 * promised;
     has_zero(bytes) && binary::promised(bytes).is_some_and(is_near)
 }
 

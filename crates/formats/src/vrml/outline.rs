@@ -62,7 +62,8 @@ impl<'a> Outline<'a> {
                         }
                         None => return Err(token.unexpected("a node")),
                     }
-                    if let Some((_, name)) = proto.filter(|(depth, _)| bracket == b"}" && *depth == open.len())
+                    if let Some((_, name)) =
+                        proto.filter(|(depth, _)| bracket == b"}" && *depth == open.len())
                     {
                         if has_shapes {
                             budget.charge(ENTRY).at_line(token.line)?;

@@ -280,7 +280,11 @@ impl<'a> Scene<'a, '_> {
             Some(Content::Shapes) => format!("an instance of the PROTO `{name}`, which has shapes in it,"),
             Some(Content::Elsewhere) => format!("an instance of `{name}`, whose PROTO is in another file,"),
         };
-        Err(unsupported(kind, what, "write the nodes of the PROTO in its place, or remove it if it has no shapes"))
+        Err(unsupported(
+            kind,
+            what,
+            "write the nodes of the PROTO in its place, or remove it if it has no shapes",
+        ))
     }
 
     fn finish(self) -> Result<ReadModel, Located> {

@@ -135,7 +135,9 @@ fn every_bad_binary_file_gives_its_error() {
 fn without_a_name_a_broken_binary_file_is_told_by_its_length() {
     let four = |count: u32| binary_with(b"made by a test\0", count, &TETRAHEDRON);
     let short = |count: u32| {
-        format!("byte 284: the file ends where a facet was expected, after 4 of the {count} that the header promises; complete it")
+        format!(
+            "byte 284: the file ends where a facet was expected, after 4 of the {count} that the header promises; complete it"
+        )
     };
     let long = "byte 184: `\\xff\\xff\\xff\\xff\\xff\\xff\\xff\\xff` after the end of the mesh, whose header promises 2 \
                 facets; remove it";
@@ -166,7 +168,9 @@ fn without_a_name_a_broken_binary_file_is_told_by_its_length() {
 /// The first word of a header is no word of another format, if the file is cut short and its name is known.
 #[test]
 fn a_header_that_begins_as_another_format_does_not_decide() {
-    for header in ["o my object", "v", "s", "f 1 2 3", "g", "mtllib x", "OFF", "star 1", "#VRML V2.0 utf8", "l", "p"] {
+    for header in
+        ["o my object", "v", "s", "f 1 2 3", "g", "mtllib x", "OFF", "star 1", "#VRML V2.0 utf8", "<", "{"]
+    {
         let header = format!("{header}\0");
         let whole = binary_with(header.as_bytes(), 4, &TETRAHEDRON);
         assert_eq!(read(&whole, None).unwrap().format, Format::Stl, "{header}");
@@ -202,8 +206,7 @@ fn a_stream_may_be_binary_if_it_promises_more_and_is_no_text() {
     let noise = [vec![0; 84], (0..60_000).map(noise).collect()].concat();
     let mut noise_with_count = noise.clone();
     noise_with_count[80..84].copy_from_slice(&[0xFF; 4]);
-    for bytes in [triangles(start(599, 0)), vec![0; 65_536], b"y\n".repeat(32_768), noise, noise_with_count]
-    {
+    for bytes in [triangles(start(599, 0)), vec![0; 65_536], b"y\n".repeat(32_768), noise, noise_with_count] {
         assert!(check_start(&bytes, None).is_err());
         assert_eq!(check_start(&bytes, Some("x.stl")), Ok(()));
     }
