@@ -39,6 +39,8 @@ pub(crate) struct Abilities {
     pub(crate) points: bool,
     pub(crate) objects: bool,
     pub(crate) unit: bool,
+    /// Vertices that are in no facet, where there are facets.
+    pub(crate) unused_vertices: bool,
 }
 
 impl Format {
@@ -100,16 +102,28 @@ impl Format {
     }
 
     pub(crate) fn abilities(self) -> Abilities {
-        let mesh = Abilities { polygons: true, points: true, objects: false, unit: false };
+        let mesh =
+            Abilities { polygons: true, points: true, objects: false, unit: false, unused_vertices: true };
         match self {
             Self::Off | Self::Ply | Self::PlyBigEndian | Self::PlyAscii => mesh,
             Self::Obj | Self::Vrml => Abilities { objects: true, ..mesh },
             // A text may have several solids, but many programs read the first one only.
-            Self::Stl | Self::StlAscii => Abilities { polygons: false, points: false, ..mesh },
-            Self::ThreeMf => Abilities { polygons: false, points: false, objects: true, unit: true },
+            Self::Stl | Self::StlAscii => {
+                Abilities { polygons: false, points: false, unused_vertices: false, ..mesh }
+            }
+            Self::ThreeMf => Abilities {
+                polygons: false,
+                points: false,
+                objects: true,
+                unit: true,
+                unused_vertices: false,
+            },
             // Its unit is the meter: a model with a unit is scaled.
-            Self::Glb => Abilities { polygons: false, objects: true, unit: true, ..mesh },
-            Self::Star => Abilities { objects: true, unit: true, ..mesh },
+            Self::Glb => {
+                Abilities { polygons: false, objects: true, unit: true, unused_vertices: false, ..mesh }
+            }
+            // There they would be points of the set.
+            Self::Star => Abilities { objects: true, unit: true, unused_vertices: false, ..mesh },
         }
     }
 
@@ -137,6 +151,18 @@ impl Format {
         if crate::stl::is_binary(start, length) {
             return Content::Known(Self::Stl);
         }
+        let content = Self::of_text(start);
+        // Binary STL that is cut short may have a header that begins like any text.
+        match content {
+            Content::Known(Self::StlAscii) => content,
+            Content::Known(format) if crate::stl::has_zero(start) => Content::Unlikely(format),
+            Content::Xml | Content::Json if crate::stl::has_zero(start) => Content::Unknown,
+            _ => content,
+        }
+    }
+
+    /// The format of a text, by its first line or word.
+    fn of_text(start: &[u8]) -> Content {
         if start.starts_with(b"#VRML") || start.starts_with(b"\xEF\xBB\xBF#VRML") {
             return Content::Known(Self::Vrml);
         }
@@ -158,6 +184,8 @@ impl Format {
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Content {
     Known(Format),
+    /// It begins as a text of this format, but has zero bytes, as no text has: the ending decides, if there is one.
+    Unlikely(Format),
     Gzip,
     /// No format of ours is bare XML or JSON, but people will try.
     Xml,

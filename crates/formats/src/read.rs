@@ -10,8 +10,10 @@ use crate::{gzip, obj, off, ply, star, stl, threemf, vrml};
 
 /// Reads a file of any format.
 ///
-/// The format is found by the content; where that can be of any, by the ending of the file's name. Nothing is rounded: a decimal is the rational number that is written, a binary float
-/// is the dyadic rational that it is.
+/// The format is found by the content; where that can be of any, by the ending of the file's name. A file without a
+/// known ending is taken for binary STL, so that the error tells what is wrong with it, if it has a zero byte in its
+/// first 1024 and is at least half and at most twice as long as such a header promises. Nothing is rounded: a
+/// decimal is the rational number that is written, a binary float is the dyadic rational that it is.
 ///
 /// What a facet may be is checked (three vertices or more, all different, each one of the file), but not what the
 /// facets form together. A file whose facets all have two vertices is a set of segments, one without facets a set of
@@ -22,7 +24,8 @@ use crate::{gzip, obj, off, ply, star, stl, threemf, vrml};
 /// and to work on it is bounded by 64 times its length, as it is stored, and 64 MiB; a file that needs more is refused.
 ///
 /// # Complexity
-/// Linear in the length of the file, unpacked, as long as coordinates have few digits.
+/// O(n) for n bytes, unpacked, and O(n log n) for star and for names and shared coordinates of VRML, as long as
+/// coordinates have few digits.
 ///
 /// ```
 /// use splitstar_formats::{Format, read};
@@ -61,7 +64,9 @@ fn read_unpacked(bytes: &[u8], by_name: Option<Format>, budget: &mut Budget) -> 
                 instead: "unpack it once".into(),
             }));
         }
-        (Content::Unknown, Some(format)) => format,
+        (Content::Unknown | Content::Unlikely(_), Some(format)) => format,
+        (Content::Unknown | Content::Unlikely(_), None) if stl::is_broken_binary(bytes) => Format::Stl,
+        (Content::Unlikely(format), None) => format,
         (Content::Unknown | Content::Xml | Content::Json, _) => return Err(unknown(bytes, content)),
     };
     let result = match format {
@@ -89,9 +94,13 @@ fn read_unpacked(bytes: &[u8], by_name: Option<Format>, budget: &mut Budget) -> 
 /// As [`read`] for a file that begins like this, if it is of no format.
 pub fn check_start(start: &[u8], file_name: Option<&str>) -> Result<(), ReadError> {
     let content = Format::of_content(start, start.len());
-    let known = matches!(content, Content::Known(_) | Content::Gzip)
+    let known = matches!(content, Content::Known(_) | Content::Unlikely(_) | Content::Gzip)
         || (content == Content::Unknown && file_name.and_then(Encoding::from_file_name).is_some());
-    if known || stl::may_be_binary(start) { Ok(()) } else { Err(unknown(start, content)) }
+    if known || stl::may_be_binary(start) || stl::is_broken_binary(start) {
+        Ok(())
+    } else {
+        Err(unknown(start, content))
+    }
 }
 
 fn unknown(bytes: &[u8], content: Content) -> ReadError {

@@ -55,10 +55,16 @@ pub enum WriteNote {
     },
     /// The format has no unit.
     NoUnit(Unit),
-    /// The format has no objects, or this many were made one.
+    /// The format needs a unit, and the model has none.
+    UnitAssumed(Unit),
+    /// The format has no objects: this many were made one, without names.
     NoObjects(usize),
-    /// The format does not take so many names of objects as they are.
+    /// The format does not take so many names of objects as they are: characters of them were replaced or left out.
     NamesChanged(usize),
+    /// The format has no objects without facets, and so many have none: they were left out.
+    ObjectsDropped(usize),
+    /// The format has no vertices beside facets, and so many are in no facet: they were left out.
+    UnusedVertices(usize),
     /// So many facets have two corners at the same position once these are rounded.
     Collapsed(usize),
     /// Left out, because it was allowed.
@@ -183,7 +189,8 @@ pub(crate) fn too_large(vertex: usize) -> impl FnOnce(TooLarge) -> WriteError {
 /// What the format cannot hold, unless it may be left out; a coordinate beyond the floats of the format.
 ///
 /// # Complexity
-/// O(n log n) for n corners of facets, and linear in the digits for coordinates of bounded width.
+/// O(n log n) for n vertices, corners of facets and objects, as long as coordinates have few digits, and
+/// facets that have to be cut few corners.
 ///
 /// ```
 /// use splitstar_formats::{Format, WriteOptions, read, write};
@@ -233,18 +240,20 @@ fn write_mesh(
         objects_of_triangles(objects.to_mut(), &mesh);
         mesh = Cow::Owned(triangles);
     }
-    if !can.objects && named.len() > 1 {
-        notes.push(WriteNote::NoObjects(named.len()));
-    }
-    if format == Format::Vrml {
-        let is_changed = |object: &&Object| !object.name.is_empty() && !vrml::is_identifier(&object.name);
-        let changed = named.iter().filter(is_changed).count();
-        if changed > 0 {
-            notes.push(WriteNote::NamesChanged(changed));
-        }
-    }
+    notes_on_objects(&mesh, &objects, format, notes);
     if let (false, Some(unit)) = (can.unit, unit) {
         notes.push(WriteNote::NoUnit(unit));
+    }
+    if format == Format::ThreeMf && unit.is_none() {
+        notes.push(WriteNote::UnitAssumed(threemf::DEFAULT_UNIT));
+    }
+    if !can.unused_vertices && !mesh.facets.is_empty() {
+        let mut used = vec![false; mesh.points.len()];
+        mesh.facets.corners().iter().for_each(|&corner| used[corner as usize] = true);
+        let unused = used.iter().filter(|used| !**used).count();
+        if unused > 0 {
+            notes.push(WriteNote::UnusedVertices(unused));
+        }
     }
     let task = Task { mesh: &mesh, objects: &objects, unit, float: options.float };
     match format {
@@ -257,6 +266,50 @@ fn write_mesh(
         Format::Glb => gltf::write(&task),
         Format::Vrml => vrml::write(&task),
         Format::Star => star::write_mesh(&task),
+    }
+}
+
+/// Counts the objects that the format does not have, and the names that it does not take.
+fn notes_on_objects(mesh: &PolygonMesh, objects: &[Object], format: Format, notes: &mut Vec<WriteNote>) {
+    let takes: fn(&str) -> bool = match format {
+        Format::Obj => obj::takes_name,
+        Format::StlAscii => stl::takes_name,
+        Format::ThreeMf => threemf::takes_name,
+        Format::Vrml => vrml::takes_name,
+        _ => |_| true,
+    };
+    // A solid of STL as text has a name, but there is one only.
+    let has_objects = format.abilities().objects || (format == Format::StlAscii && objects.len() == 1);
+    if !has_objects {
+        if objects.len() > 1 || objects.iter().any(|object| !object.name.is_empty()) {
+            notes.push(WriteNote::NoObjects(objects.len()));
+        }
+        return;
+    }
+    let has_facets = |at: usize| {
+        let end = objects.get(at + 1).map_or(mesh.facets.len(), |next| next.first_facet as usize);
+        (objects[at].first_facet as usize) < end
+    };
+    let is_kept = |at: usize| match format {
+        Format::Obj | Format::ThreeMf => has_facets(at),
+        // Points are shapes.
+        Format::Vrml => mesh.facets.is_empty() || has_facets(at),
+        Format::Glb => !mesh.facets.is_empty() || at == 0,
+        _ => true,
+    };
+    let (mut dropped, mut changed) = (0, 0);
+    for (at, object) in objects.iter().enumerate() {
+        if !is_kept(at) {
+            dropped += 1;
+        } else if !takes(&object.name) {
+            changed += 1;
+        }
+    }
+    if changed > 0 {
+        notes.push(WriteNote::NamesChanged(changed));
+    }
+    if dropped > 0 {
+        notes.push(WriteNote::ObjectsDropped(dropped));
     }
 }
 
@@ -278,25 +331,46 @@ impl fmt::Display for WriteNote {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Triangulated { from, to } => {
-                write!(f, "the format has triangles only: {from} facets cut into {to}")
+                write!(f, "the format has triangles only: {} cut into {to}", facets(*from))
             }
             Self::NoUnit(unit) => write!(f, "the format has no unit: {unit} is not written"),
+            Self::UnitAssumed(unit) => {
+                write!(f, "the format needs a unit, and the model has none: {unit} is written")
+            }
+            Self::NoObjects(1) => f.write_str("the format has no objects: one is written without its name"),
             Self::NoObjects(objects) => {
                 write!(f, "the format has no objects: {objects} are written as one, without their names")
             }
             Self::NamesChanged(names) => {
-                write!(f, "the format takes identifiers only: {names} names of objects changed")
+                let names = counted(*names, "name of an object", "names of objects");
+                write!(f, "the format does not take all names as they are: {names} changed")
             }
-            Self::Collapsed(facets) => {
-                let [have, s] = if *facets == 1 { ["has", ""] } else { ["have", "s"] };
-                write!(f, "{facets} facet{s} {have} two corners at the same position once rounded")
+            Self::ObjectsDropped(objects) => {
+                let objects = counted(*objects, "object", "objects");
+                write!(f, "the format has no objects without facets: {objects} left out")
+            }
+            Self::UnusedVertices(vertices) => {
+                let vertices = counted(*vertices, "vertex", "vertices");
+                write!(f, "the format has no vertices beside facets: {vertices} left out")
+            }
+            Self::Collapsed(number) => {
+                let have = if *number == 1 { "has" } else { "have" };
+                write!(f, "{} {have} two corners at the same position once rounded", facets(*number))
             }
             Self::LeftOut(loss) => write!(f, "left out: {loss}"),
             Self::CutHoles { from, to } => {
-                write!(f, "the format has no holes: {from} facets with holes cut into {to} triangles")
+                write!(f, "the format has no holes: {} with holes cut into {to} triangles", facets(*from))
             }
         }
     }
+}
+
+fn facets(number: usize) -> String {
+    counted(number, "facet", "facets")
+}
+
+fn counted(number: usize, one: &str, many: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { many })
 }
 
 impl fmt::Display for WriteError {
@@ -318,8 +392,8 @@ impl fmt::Display for WriteError {
                     write!(f, "{joint}{loss}")?;
                 }
                 let way_out = match losses[..] {
-                    [Loss::Holes(_)] => "; write star, or cut the facets into triangles with --triangulate",
-                    _ => "; write star, or leave it out with --lossy",
+                    [Loss::Holes(_)] => "; write star, or cut the facets into triangles",
+                    _ => "; write star, or allow it to be left out",
                 };
                 f.write_str(way_out)
             }

@@ -146,9 +146,12 @@ fn every_kind_of_mesh_has_its_mode() {
     ];
     for (facets, expected) in rows {
         let written = write_glb(&model(POINTS, facets));
+        let positions = expected.positions.len();
         assert_eq!(taken_apart(&written.bytes), [expected]);
         assert!(written.largest_rounding.is_zero());
-        assert_eq!(written.notes, []);
+        let unused = if facets.is_empty() { 0 } else { POINTS.len() - positions };
+        let notes = [WriteNote::UnusedVertices(unused)];
+        assert_eq!(written.notes, &notes[..usize::from(unused > 0)]);
     }
 }
 
@@ -263,4 +266,23 @@ fn the_bytes_are_the_same_each_time_and_only_written() {
     assert_eq!(std::str::from_utf8(&bytes[20..20 + text.len()]), Ok(text));
     let error = read(&bytes, None).unwrap_err().to_string();
     assert_eq!(error, "glTF cannot be read; it is written only; give OBJ, STL, PLY or 3MF");
+}
+
+/// Nodes, meshes, accessors and views of many objects refer to each other in order; names are escaped.
+#[test]
+fn many_objects_stand_one_after_the_other() {
+    const OBJECTS: u32 = 3_000;
+    let facets: Vec<[u32; 3]> =
+        (0..OBJECTS).map(|object| [[0, 1, 2], [0, 1, 3]][object as usize % 2]).collect();
+    let facets: Vec<&[u32]> = facets.iter().map(|cycle| cycle.as_slice()).collect();
+    let mut model = model(POINTS, &facets);
+    let name = |object: u32| format!("\"{object}\"\n\\");
+    model.objects = (0..OBJECTS).map(|object| Object { name: name(object), first_facet: object }).collect();
+    let runs = taken_apart(&write_glb(&model).bytes);
+    assert_eq!(runs.len(), OBJECTS as usize);
+    for (object, run) in runs.iter().enumerate() {
+        assert_eq!(run.name, Some(name(object as u32)));
+        assert_eq!(run.positions[2], if object % 2 == 0 { [0.0, 1.0, 0.0] } else { [0.0, 0.0, 1.0] });
+        assert_eq!(run.indices, Some(vec![0, 1, 2]));
+    }
 }

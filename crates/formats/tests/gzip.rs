@@ -118,6 +118,33 @@ fn bombs_stop_early() {
 }
 
 #[test]
+fn many_empty_members_end_soon() {
+    let bytes = [pack(b"").repeat(200_000), pack(TRIANGLE)].concat();
+    let start = Instant::now();
+    assert_triangle(read(&bytes, None), "200,000 empty members");
+    assert!(start.elapsed() < Duration::from_secs(5), "{:?}", start.elapsed());
+}
+
+#[test]
+fn all_parts_of_a_header_are_read() {
+    let whole = pack(TRIANGLE);
+    let with = |flags: u8, parts: &[u8]| [&whole[..3], &[flags], &whole[4..10], parts, &whole[10..]].concat();
+    assert_triangle(read(&with(4, b"\x03\0abc"), None), "an extra field");
+    assert_triangle(read(&with(4 | 8 | 16, b"\0\0a.off\0a triangle\0"), None), "all three");
+    let mut crc = flate2::Crc::new();
+    crc.update(&with(2, b"")[..10]);
+    let sum = (crc.sum() as u16).to_le_bytes();
+    assert_triangle(read(&with(2, &sum), None), "a checksum of the header");
+    let wrong = read(&with(2, &[sum[0] ^ 1, sum[1]]), None).unwrap_err();
+    assert_eq!(wrong.to_string(), "byte 0: the packed data is damaged: its header is wrong; pack it again");
+    for flags in [4, 8, 16] {
+        let bytes = [&whole[..3], &[flags], &whole[4..10], b"\x01"].concat();
+        let error = read(&bytes, None).unwrap_err();
+        assert_eq!(error.to_string(), "byte 0: the packed data is damaged: it ends too early; pack it again");
+    }
+}
+
+#[test]
 fn changed_files_never_break_the_reader() {
     const SEED: u64 = 0x671F_5EED;
     println!("seed {SEED:#x}");

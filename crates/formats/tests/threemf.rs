@@ -6,7 +6,8 @@
 mod threemf_archives;
 
 use splitstar_formats::{
-    Encoding, Format, Kind, Model, Object, Place, ReadModel, Unit, WriteError, WriteOptions, read, write,
+    Encoding, Format, Kind, Model, Object, Place, ReadModel, Unit, WriteError, WriteNote, WriteOptions, read,
+    write,
 };
 use std::io::Read;
 use threemf_archives::{CORE, MESH, RELATIONSHIPS, TYPE, archive, model, package};
@@ -184,7 +185,8 @@ fn what_is_written_comes_back() {
     let options = WriteOptions::new(Format::ThreeMf);
     let written = write(&model, &options).unwrap();
     assert_eq!(written.largest_rounding.to_string(), "0");
-    assert!(written.notes.is_empty());
+    let notes = [WriteNote::NamesChanged(1), WriteNote::ObjectsDropped(1), WriteNote::UnusedVertices(1)];
+    assert_eq!(written.notes, notes);
     assert_eq!(written.bytes, write(&model, &options).unwrap().bytes);
     let back = read(&written.bytes, None).unwrap();
     assert_eq!(back.model.unit, Some(Unit::Foot));
@@ -245,7 +247,8 @@ fn what_has_no_decimal_is_rounded_and_told() {
     assert_eq!(error, WriteError::TooLargeForFloat { vertex: 1 });
     let square = off("4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n");
     let written = write(&square, &WriteOptions::new(Format::ThreeMf)).unwrap();
-    assert_eq!(written.notes.len(), 1);
+    let notes = [WriteNote::Triangulated { from: 1, to: 2 }, WriteNote::UnitAssumed(Unit::Millimeter)];
+    assert_eq!(written.notes, notes);
     assert_eq!(facets(&read(&written.bytes, None).unwrap()).len(), 2);
     let points = off("1 0 0\n0 0 0\n");
     let error = write(&points, &WriteOptions::new(Format::ThreeMf)).unwrap_err();
@@ -260,4 +263,21 @@ fn gzip_may_be_around_it() {
     let back = read(&written.bytes, None).unwrap();
     assert_eq!(back.format, Format::ThreeMf);
     assert_eq!(back.model.shape.mesh().map(Kind::of), Some(Kind::Surface));
+}
+
+/// The unpacked text of many small objects is long, but they are used once each.
+#[test]
+fn many_small_objects_are_read() {
+    const OBJECTS: usize = 20_000;
+    let object = |id: usize| {
+        format!(
+            "<object id='{id}' name='part {id}'><mesh><vertices><vertex x='{id}' y='0' z='0'/><vertex x='1' y='{id}' z='0'/>\
+             <vertex x='0' y='1' z='{id}'/></vertices><triangles><triangle v1='0' v2='1' v3='2'/></triangles></mesh>\
+             </object>"
+        )
+    };
+    let resources: String = (1..=OBJECTS).map(object).collect();
+    let items: String = (1..=OBJECTS).map(|id| format!("<item objectid='{id}'/>")).collect();
+    let read = read_model(&model("", &resources, &format!("<build>{items}</build>")));
+    assert_eq!((read.model.objects.len(), facets(&read).len()), (OBJECTS, OBJECTS));
 }

@@ -300,8 +300,8 @@ impl fmt::Display for Fault {
             Self::Packed { why } => write!(f, "the packed data is damaged: {why}; pack it again"),
             Self::TooMuchMemory { allowed } => write!(
                 f,
-                "reading it would take more than {} MiB, too much for a file of this size; unpack it, or write it \
-                 with fewer digits",
+                "reading it would take more than {} MiB, too much for a file of this size; split it, unpack it, or \
+                 write it with fewer digits",
                 allowed >> 20
             ),
         }

@@ -22,6 +22,7 @@ pub struct Model {
 
 /// The cells of a model.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub enum Shape {
     /// Points and polygons: what every mesh format can say.
     Mesh(PolygonMesh),
@@ -40,6 +41,7 @@ pub struct Object {
 
 /// A unit of length.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
+#[non_exhaustive]
 pub enum Unit {
     /// 1/1,000,000 meter.
     Micron,

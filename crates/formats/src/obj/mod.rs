@@ -6,4 +6,4 @@ mod statement;
 mod write;
 
 pub(crate) use read::read;
-pub(crate) use write::write;
+pub(crate) use write::{takes_name, write};

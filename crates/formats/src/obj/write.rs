@@ -53,3 +53,8 @@ fn one_line(name: &str) -> String {
     }
     line.replace(" #", " _")
 }
+
+/// Whether the name of an object comes back as it is.
+pub(crate) fn takes_name(name: &str) -> bool {
+    one_line(name) == name
+}

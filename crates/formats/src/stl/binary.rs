@@ -39,6 +39,11 @@ pub(super) fn corners_are_finite(bytes: &[u8]) -> bool {
     })
 }
 
+/// Whether no facet of those that are there has attributes.
+pub(super) fn attributes_are_zero(bytes: &[u8]) -> bool {
+    bytes[FACETS.min(bytes.len())..].as_chunks::<FACET>().0.iter().all(|facet| facet.ends_with(&[0, 0]))
+}
+
 /// Reads binary STL. Corners at the same position are one vertex, in the order of their first mention.
 pub(super) fn read(bytes: &[u8], budget: &mut Budget) -> Result<ReadModel, Located> {
     let length = bytes.len() as u64;

@@ -21,7 +21,7 @@ use crate::base::maker::MeshMaker;
 use crate::base::model::{ReadModel, ReadNote};
 use crate::base::places::Place;
 use crate::base::scan::Scanner;
-pub(crate) use write::{write_ascii, write_binary};
+pub(crate) use write::{takes_name, write_ascii, write_binary};
 
 /// The bytes that tell a text from a binary file.
 const START: usize = 1024;
@@ -34,10 +34,22 @@ pub(crate) fn is_binary(start: &[u8], length: usize) -> bool {
 }
 
 /// Whether a longer file that begins like this may be binary STL: the header promises more, and so far every
-/// corner is finite.
+/// corner is finite, or no facet has attributes.
 pub(crate) fn may_be_binary(start: &[u8]) -> bool {
     let promises_more = binary::promised(start).is_some_and(|(_, promised)| promised > start.len() as u64);
-    promises_more && !is_text(start) && binary::corners_are_finite(start)
+    promises_more
+        && has_zero(start)
+        && (binary::corners_are_finite(start) || binary::attributes_are_zero(start))
+}
+
+/// Whether a file without a known name is binary STL of the wrong length rather than anything else: it has a zero
+/// byte in its first 1024, and the length that its header promises for some facets is at least half of its own
+/// and at most the double of it.
+pub(crate) fn is_broken_binary(bytes: &[u8]) -> bool {
+    let length = bytes.len() as u64;
+    let is_near =
+        |(count, promised): (u32, u64)| count > 0 && promised <= 2 * length && length <= 2 * promised;
+    has_zero(bytes) && binary::promised(bytes).is_some_and(is_near)
 }
 
 /// Reads a file that is binary STL, or should be by its name.
@@ -57,9 +69,14 @@ pub(crate) fn read_ascii(bytes: &[u8], budget: &mut Budget) -> Result<ReadModel,
     if is_text(bytes) { ascii::read(bytes, budget) } else { binary::read(bytes, budget) }
 }
 
-/// Binary files have zeros: in the padding of their header, in their attributes, in round numbers.
 fn is_text(bytes: &[u8]) -> bool {
-    !bytes[..bytes.len().min(START)].contains(&0)
+    !has_zero(bytes)
+}
+
+/// Whether there is a zero byte at the start. Binary files have zeros: in the padding of their header, in their
+/// attributes, in round numbers.
+pub(crate) fn has_zero(bytes: &[u8]) -> bool {
+    bytes[..bytes.len().min(START)].contains(&0)
 }
 
 /// Whether the second line of a file that begins with `solid` begins as in the text.

@@ -108,6 +108,11 @@ fn name_in_line(name: &str) -> String {
     name.trim_ascii().to_string()
 }
 
+/// Whether the name of a solid comes back as it is.
+pub(crate) fn takes_name(name: &str) -> bool {
+    name_in_line(name) == name
+}
+
 fn put_short(text: &mut Vec<u8>, component: f32) {
     if component == 0.0 || component.abs() >= 1e-4 {
         put(text, format_args!(" {component}"));

@@ -15,7 +15,9 @@ use crate::base::words::{read_coordinate, read_index};
 use crate::format::Format;
 use std::ops::Range;
 
-/// For each use of an object: far more than it takes, so that few uses have a chance to take long.
+/// For the first use of an object: what it takes. There are as many as objects in the text, which is charged.
+const FIRST_USE: u64 = 32;
+/// For each further use: far more than it takes, so that few uses have a chance to take long.
 const USE: u64 = 1024;
 /// For each byte of a mesh that is read once more, in fourths: what it takes is time.
 const AGAIN: u64 = 4;
@@ -28,15 +30,19 @@ pub(super) fn read(text: &str, outline: &Outline, budget: &mut Budget) -> Result
         outline,
         maker: MeshMaker::new(budget, PlaceList::lines(), PlaceList::lines()),
         objects: Vec::new(),
-        was_read: vec![false; outline.objects.len()],
+        was_used: vec![false; outline.objects.len()],
         is_open: vec![false; outline.objects.len()],
         open: Vec::new(),
     };
     for item in &outline.items {
         builder.item(item)?;
     }
-    let Builder { maker, objects, .. } = builder;
+    let Builder { maker, mut objects, .. } = builder;
     let mut read = maker.read_model(Format::ThreeMf)?;
+    // Facets that belong to none say the same.
+    if objects.first().is_some_and(|object| object.name.is_empty()) {
+        objects.remove(0);
+    }
     read.model.objects = objects;
     read.model.unit = Some(outline.unit);
     Ok(read)
@@ -47,8 +53,8 @@ struct Builder<'t, 'b> {
     outline: &'t Outline,
     maker: MeshMaker<'b>,
     objects: Vec<Object>,
-    /// The objects whose meshes have been read before.
-    was_read: Vec<bool>,
+    /// The objects that have been used before.
+    was_used: Vec<bool>,
     /// The objects whose components are being put together.
     is_open: Vec<bool>,
     open: Vec<Open>,
@@ -91,7 +97,8 @@ impl Builder<'_, '_> {
     /// Reads the mesh of an object, or opens its components.
     fn put(&mut self, object: usize, map: Map, line: u32) -> Result<(), Located> {
         let outline = self.outline;
-        let bytes = USE + map.as_ref().map_or(0, |map| map.bytes_of_use());
+        let was_used = std::mem::replace(&mut self.was_used[object], true);
+        let bytes = if was_used { USE } else { FIRST_USE } + map.as_ref().map_or(0, |map| map.bytes_of_use());
         self.maker.budget().charge(bytes).at_line(line)?;
         let used = &outline.objects[object];
         if used.is_support {
@@ -99,11 +106,10 @@ impl Builder<'_, '_> {
         }
         match &used.content {
             Content::Mesh(place) => {
-                if self.was_read[object] {
+                if was_used {
                     let length = place.bytes.len() as u64;
                     self.maker.budget().charge(length / AGAIN).at_line(line)?;
                 }
-                self.was_read[object] = true;
                 self.mesh(place, &map)
             }
             Content::Components(range) => {

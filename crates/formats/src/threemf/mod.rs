@@ -28,7 +28,7 @@ use crate::base::error::{Located, ReadError};
 use crate::base::model::ReadModel;
 use crate::format::Format;
 
-pub(crate) use write::write;
+pub(crate) use write::{DEFAULT_UNIT, takes_name, write};
 
 /// The namespace of the model.
 const CORE: &str = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
@@ -36,7 +36,7 @@ const CORE: &str = "http://schemas.microsoft.com/3dmanufacturing/core/2015/02";
 /// Reads a 3MF file: all that its build has, in its unit.
 ///
 /// Each item of the build is an object of the model, with the name of the object that it refers to, or else the part
-/// number. Transforms are applied exactly; where one mirrors, the facets are turned round. Objects that are not
+/// number; the facets of a first item without either belong to no object. Transforms are applied exactly; where one mirrors, the facets are turned round. Objects that are not
 /// built are not read, nor are supports. A file that builds nothing gives all objects that are no component of
 /// others. Materials and other properties are skipped. An extension that the file requires and that changes shapes
 /// is refused.

@@ -26,6 +26,8 @@ Type=\"http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel\"/>
 </Relationships>
 ";
 
+/// The unit that is written where the model has none: the one that the standard assumes too.
+pub(crate) const DEFAULT_UNIT: Unit = Unit::Millimeter;
 /// What the standard allows in one mesh.
 const MOST: usize = (1 << 31) - 1;
 /// How much text is gathered before it is packed.
@@ -53,7 +55,7 @@ pub(crate) fn write(task: &Task<'_>) -> Result<Body, WriteError> {
 }
 
 fn put_model(task: &Task<'_>, archive: &mut Archive) -> Result<Rounding, WriteError> {
-    let unit = task.unit.unwrap_or(Unit::Millimeter);
+    let unit = task.unit.unwrap_or(DEFAULT_UNIT);
     put(
         &mut archive.text,
         format_args!(
@@ -169,10 +171,18 @@ fn escaped(name: &str) -> String {
             '<' => text.push_str("&lt;"),
             '>' => text.push_str("&gt;"),
             '"' => text.push_str("&quot;"),
-            '\u{FFFE}' | '\u{FFFF}' => {}
-            _ if character.is_control() => {}
+            _ if is_left_out(character) => {}
             _ => text.push(character),
         }
     }
     text
+}
+
+/// Whether the name of an object comes back as it is.
+pub(crate) fn takes_name(name: &str) -> bool {
+    !name.contains(is_left_out)
+}
+
+fn is_left_out(character: char) -> bool {
+    character.is_control() || matches!(character, '\u{FFFE}' | '\u{FFFF}')
 }

@@ -23,4 +23,4 @@ mod scene;
 mod write;
 
 pub(crate) use scene::read;
-pub(crate) use write::{is_identifier, write};
+pub(crate) use write::{takes_name, write};

@@ -3,13 +3,30 @@
 use super::lexer::{Kind, Lexer, string_length};
 use crate::base::budget::Budget;
 use crate::base::error::{At, Located};
+use crate::base::scan::Token;
 use std::collections::BTreeMap;
 
-/// The nodes that have names, in a text whose brackets and strings are closed.
+/// The nodes that have names, and the types of nodes with shapes, in a text whose brackets and strings are closed.
 pub(super) struct Outline<'a> {
     /// By name and by the offset of the node: a name may be given again.
     nodes: BTreeMap<(&'a [u8], usize), Lexer<'a>>,
+    prototypes: Prototypes<'a>,
 }
+
+/// The types of nodes that the file defines and that have shapes in them, or may have.
+type Prototypes<'a> = BTreeMap<&'a [u8], Content>;
+
+/// What is behind the name of such a type.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Content {
+    /// The definition, or the default of one of its fields, has shapes in it, or nodes that have.
+    Shapes,
+    /// The definition stands in another file.
+    Elsewhere,
+}
+
+/// The type that is read even if another file defines it.
+const KNOWN: &[u8] = b"ExactCoordinate";
 
 /// What an entry of the map takes, at most.
 const ENTRY: u64 = 128;
@@ -19,9 +36,11 @@ impl<'a> Outline<'a> {
     /// stay there.
     pub(super) fn of_text(mut lexer: Lexer<'a>, budget: &mut Budget) -> Result<Self, Located> {
         let mut nodes = BTreeMap::new();
+        let mut prototypes = Prototypes::new();
         let mut open: Vec<(u8, u32)> = Vec::new();
-        // How many brackets are open around the outermost PROTO.
-        let mut proto: Option<usize> = None;
+        // The outermost PROTO around this place, and how many brackets are open around it.
+        let mut proto: Option<(usize, Token<'a>)> = None;
+        let mut has_shapes = false;
         while let Some(token) = lexer.next() {
             match (Kind::of(token), token.bytes) {
                 (Kind::Open, bracket) => {
@@ -43,8 +62,14 @@ impl<'a> Outline<'a> {
                         }
                         None => return Err(token.unexpected("a node")),
                     }
-                    if bracket == b"}" && proto == Some(open.len()) {
-                        proto = None;
+                    if let Some((_, name)) =
+                        proto.filter(|(depth, _)| bracket == b"}" && *depth == open.len())
+                    {
+                        if has_shapes {
+                            budget.charge(ENTRY).at_line(token.line)?;
+                            prototypes.insert(name.bytes, Content::Shapes);
+                        }
+                        (proto, has_shapes) = (None, false);
                     }
                 }
                 (Kind::String, string) if string_length(string) != Some(string.len()) => {
@@ -53,13 +78,26 @@ impl<'a> Outline<'a> {
                         token.line
                     )));
                 }
-                (Kind::Word, b"PROTO") => proto = proto.or(Some(open.len())),
+                (Kind::Word, b"PROTO") if proto.is_none() => {
+                    let name = lexer.word("the name of a node type")?;
+                    proto = Some((open.len(), name));
+                }
+                (Kind::Word, b"EXTERNPROTO") => {
+                    let name = lexer.word("the name of a node type")?;
+                    if name.bytes != KNOWN {
+                        budget.charge(ENTRY).at_line(token.line)?;
+                        prototypes.insert(name.bytes, Content::Elsewhere);
+                    }
+                }
                 (Kind::Word, b"DEF") => {
                     let name = lexer.word("a name")?;
                     if proto.is_none() {
                         budget.charge(ENTRY).at_line(token.line)?;
                         nodes.insert((name.bytes, lexer.offset()), lexer);
                     }
+                }
+                (Kind::Word, word) if proto.is_some() && !has_shapes => {
+                    has_shapes = (is_shape(word) || prototypes.contains_key(word)) && lexer.is_next(b"{");
                 }
                 _ => {}
             }
@@ -71,7 +109,7 @@ impl<'a> Outline<'a> {
                 char::from(last)
             )));
         }
-        Ok(Self { nodes })
+        Ok(Self { nodes, prototypes })
     }
 
     /// The place of the node that had this name last, before an offset.
@@ -79,6 +117,18 @@ impl<'a> Outline<'a> {
         let (_, node) = self.nodes.range((name, 0)..(name, before)).next_back()?;
         Some(*node)
     }
+
+    /// What is lost if a node of this type is passed over.
+    pub(super) fn prototype(&self, kind: &[u8]) -> Option<Content> {
+        self.prototypes.get(kind).copied()
+    }
+}
+
+/// Whether this is the type of a node that shows something, or takes in another file.
+fn is_shape(kind: &[u8]) -> bool {
+    const TYPES: [&[u8]; 8] =
+        [b"Shape", b"Inline", b"Box", b"Cone", b"Cylinder", b"ElevationGrid", b"Extrusion", b"Sphere"];
+    kind.ends_with(b"Set") || kind == b"Text" || TYPES.contains(&kind)
 }
 
 fn closing(open: u8) -> char {

@@ -3,7 +3,7 @@
 use super::frame::{Frame, TransformFields};
 use super::geometry::Shared;
 use super::lexer::{Kind, Lexer};
-use super::outline::Outline;
+use super::outline::{Content, Outline};
 use crate::base::budget::Budget;
 use crate::base::error::{At, Fault, Located};
 use crate::base::maker::MeshMaker;
@@ -30,7 +30,8 @@ const USE: u64 = 64;
 ///   vertices of the first of them, where they stand in the same place.
 /// - `Group`, `Anchor`, `Billboard`, `Collision` and `Transform` are walked, of a `LOD` the finest level, of
 ///   a `Switch` the choice. A `Transform` may not rotate. Nodes of types that the file defines (`PROTO`) are
-///   passed over if they have no shape in them, and refused otherwise, and so is `Inline`.
+///   passed over if neither they nor the definition have a shape in them, and refused otherwise, and so are
+///   those that another file defines (`EXTERNPROTO`), and `Inline`.
 /// - Facets are turned round where `ccw` is `FALSE`, and within transforms that reflect.
 pub(crate) fn read(bytes: &[u8], budget: &mut Budget) -> Result<ReadModel, Located> {
     let mut lexer = Lexer::new(bytes);
@@ -203,7 +204,7 @@ impl<'a> Scene<'a, '_> {
                 let what = "a node that takes in another file (`Inline`)".into();
                 return Err(unsupported(node.kind, what, "put the content of that file in its place"));
             }
-            _ => skip_unknown(&mut node)?,
+            _ => self.skip_unknown(&mut node)?,
         }
         self.leave(&node, lexer)
     }
@@ -244,6 +245,48 @@ impl<'a> Scene<'a, '_> {
         if lexer.is_next(b"]") { Ok(()) } else { self.node(&mut lexer, frame, group) }
     }
 
+    /// Passes over a node of a type that means nothing here, as long as nothing is lost by it.
+    fn skip_unknown(&self, node: &mut Node<'a>) -> Result<(), Located> {
+        self.check_prototype(node.kind)?;
+        let kind = node.kind.shown();
+        if node.kind.bytes.ends_with(b"Set") {
+            let what = format!("`{kind}` outside of a Shape");
+            return Err(unsupported(node.kind, what, "put a Shape around it"));
+        }
+        let mut depth = 1_usize;
+        while depth > 0 {
+            let token = node.body.token("a closing bracket")?;
+            match Kind::of(token) {
+                Kind::Open => depth += 1,
+                Kind::Close => depth -= 1,
+                Kind::Word if node.body.is_next(b"{") => {
+                    if matches!(token.bytes, b"Shape" | b"Inline") {
+                        let what = format!("a node of the type `{kind}` with a {} in it", token.shown());
+                        return Err(unsupported(node.kind, what, "make it a Group or a Transform"));
+                    }
+                    self.check_prototype(token)?;
+                }
+                _ => {}
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses a node of a type that the file defines, if shapes may be in it.
+    fn check_prototype(&self, kind: Token<'a>) -> Result<(), Located> {
+        let name = kind.shown();
+        let what = match self.outline.prototype(kind.bytes) {
+            None => return Ok(()),
+            Some(Content::Shapes) => format!("an instance of the PROTO `{name}`, which has shapes in it,"),
+            Some(Content::Elsewhere) => format!("an instance of `{name}`, whose PROTO is in another file,"),
+        };
+        Err(unsupported(
+            kind,
+            what,
+            "write the nodes of the PROTO in its place, or remove it if it has no shapes",
+        ))
+    }
+
     fn finish(self) -> Result<ReadModel, Located> {
         let Self { maker, mut objects, point_set, .. } = self;
         if let Some(line) = point_set.filter(|_| maker.facet_count() > 0) {
@@ -259,29 +302,6 @@ impl<'a> Scene<'a, '_> {
         read.model.objects = objects;
         Ok(read)
     }
-}
-
-/// Passes over a node of a type that means nothing here, as long as nothing is lost by it.
-fn skip_unknown(node: &mut Node<'_>) -> Result<(), Located> {
-    let kind = node.kind.shown();
-    if node.kind.bytes.ends_with(b"Set") {
-        let what = format!("`{kind}` outside of a Shape");
-        return Err(unsupported(node.kind, what, "put a Shape around it"));
-    }
-    let mut depth = 1_usize;
-    while depth > 0 {
-        let token = node.body.token("a closing bracket")?;
-        match Kind::of(token) {
-            Kind::Open => depth += 1,
-            Kind::Close => depth -= 1,
-            Kind::Word if matches!(token.bytes, b"Shape" | b"Inline") && node.body.is_next(b"{") => {
-                let what = format!("a node of the type `{kind}` with a {} in it", token.shown());
-                return Err(unsupported(node.kind, what, "make it a Group or a Transform"));
-            }
-            _ => {}
-        }
-    }
-    Ok(())
 }
 
 pub(super) fn unsupported(token: Token<'_>, what: String, instead: &str) -> Located {

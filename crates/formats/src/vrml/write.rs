@@ -169,8 +169,13 @@ fn shared_name(names: &[String]) -> String {
     shared
 }
 
+/// Whether an object keeps its name; no name is none.
+pub(crate) fn takes_name(name: &str) -> bool {
+    name.is_empty() || is_identifier(name)
+}
+
 /// Whether VRML takes it for a name.
-pub(crate) fn is_identifier(name: &str) -> bool {
+fn is_identifier(name: &str) -> bool {
     const KEYWORDS: [&str; 14] = [
         "DEF",
         "EXTERNPROTO",

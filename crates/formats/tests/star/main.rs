@@ -18,7 +18,7 @@ fn read(text: &str) -> ReadModel {
 fn complex(text: &str) -> Complex {
     match read(text).model.shape {
         Shape::Complex(complex) => complex,
-        Shape::Mesh(_) => panic!("a mesh\n{text}"),
+        _ => panic!("a mesh\n{text}"),
     }
 }
 

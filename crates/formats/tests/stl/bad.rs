@@ -130,11 +130,59 @@ fn every_bad_binary_file_gives_its_error() {
     }
 }
 
+/// The length that the header promises may be half or twice the length of the file, but not less or more.
 #[test]
-fn without_a_name_a_broken_binary_file_is_of_no_known_format() {
-    let bytes = binary(&TETRAHEDRON);
-    let error = read(&bytes[..200], None).unwrap_err();
-    assert!(error.to_string().starts_with("line 1: no known format: the file begins with `made`"), "{error}");
+fn without_a_name_a_broken_binary_file_is_told_by_its_length() {
+    let four = |count: u32| binary_with(b"made by a test\0", count, &TETRAHEDRON);
+    let short = |count: u32| {
+        format!(
+            "byte 284: the file ends where a facet was expected, after 4 of the {count} that the header promises; complete it"
+        )
+    };
+    let long = "byte 184: `\\xff\\xff\\xff\\xff\\xff\\xff\\xff\\xff` after the end of the mesh, whose header promises 2 \
+                facets; remove it";
+    let unknown = "line 1: no known format: the file begins with `made`; OFF, OBJ, STL, PLY, 3MF, VRML and star can be read";
+    let mut nan = four(4);
+    nan[96..100].copy_from_slice(&f32::NAN.to_le_bytes());
+    let rows = [
+        (four(5), short(5)),
+        (four(9), short(9)),
+        (four(10), unknown.into()),
+        (four(u32::MAX), unknown.into()),
+        (four(2), long.into()),
+        (four(1), unknown.into()),
+        (four(0), unknown.into()),
+        (nan, "byte 96: `NaN` is not finite; write a finite number".into()),
+        (binary_with(b"made by a test", 5, &[]), unknown.into()),
+    ];
+    for (bytes, message) in rows {
+        assert_eq!(read(&bytes, None).unwrap_err().to_string(), message);
+        let is_known = message != unknown;
+        // One with an end that has not come yet may be anything.
+        if is_known {
+            assert_eq!(check_start(&bytes, None), Ok(()), "{message}");
+        }
+    }
+}
+
+/// The first word of a header is no word of another format, if the file is cut short and its name is known.
+#[test]
+fn a_header_that_begins_as_another_format_does_not_decide() {
+    for header in
+        ["o my object", "v", "s", "f 1 2 3", "g", "mtllib x", "OFF", "star 1", "#VRML V2.0 utf8", "<", "{"]
+    {
+        let header = format!("{header}\0");
+        let whole = binary_with(header.as_bytes(), 4, &TETRAHEDRON);
+        assert_eq!(read(&whole, None).unwrap().format, Format::Stl, "{header}");
+        let cut = &whole[..233];
+        let message = "byte 233: the file ends where a facet was expected, after 2 of the 4 that the header promises; \
+                       complete it";
+        for name in [Some("x.stl"), None] {
+            let error = read(cut, name).unwrap_err();
+            assert_eq!(error.to_string(), message, "{header} {name:?}");
+            assert_eq!(check_start(cut, name), Ok(()));
+        }
+    }
 }
 
 #[test]
@@ -147,13 +195,18 @@ fn a_stream_may_be_binary_if_it_promises_more_and_is_no_text() {
     let triangles = |bytes: Vec<u8>| [bytes, binary(&TETRAHEDRON)[84..].repeat(300)].concat();
     assert_eq!(check_start(&triangles(start(1201, 0)), None), Ok(()));
     assert_eq!(check_start(&triangles(start(1200, b'x')), None), Ok(()));
-    // Fewer than there are, none, a text, and noise.
+    let mut nan = triangles(start(9000, 0));
+    for facet in nan[84..].chunks_mut(50) {
+        facet[12..16].copy_from_slice(&f32::NAN.to_le_bytes());
+        facet[48..].fill(0);
+    }
+    assert_eq!(check_start(&nan, None), Ok(()));
+    // Far fewer than there are, none, a text, and noise.
     let noise = |at: u32| (at.wrapping_mul(0x9E37_79B9) >> 13) as u8;
     let noise = [vec![0; 84], (0..60_000).map(noise).collect()].concat();
     let mut noise_with_count = noise.clone();
     noise_with_count[80..84].copy_from_slice(&[0xFF; 4]);
-    for bytes in [triangles(start(1199, 0)), vec![0; 65_536], b"y\n".repeat(32_768), noise, noise_with_count]
-    {
+    for bytes in [triangles(start(599, 0)), vec![0; 65_536], b"y\n".repeat(32_768), noise, noise_with_count] {
         assert!(check_start(&bytes, None).is_err());
         assert_eq!(check_start(&bytes, Some("x.stl")), Ok(()));
     }

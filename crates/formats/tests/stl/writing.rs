@@ -82,7 +82,8 @@ fn a_text_is_written_as_one_solid() {
     // The name of a single object is kept, as far as a line can have it.
     model.objects = vec![object(" upper\n\tpart ", 0)];
     let written = write(&model, &WriteOptions::new(Format::StlAscii)).unwrap();
-    assert!(written.bytes.starts_with(b"solid upper  part\n") && written.notes.is_empty());
+    assert!(written.bytes.starts_with(b"solid upper  part\n"));
+    assert_eq!(written.notes, [WriteNote::NamesChanged(1)]);
     assert_eq!(objects(&read(&written.bytes, None).unwrap()), [("upper  part", 0)]);
 }
 

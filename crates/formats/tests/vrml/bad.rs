@@ -33,6 +33,65 @@ const BAD: &[(&str, &str, &str)] = &[
     ),
     ("a prototype without a body", "PROTO A [ ] 7", "line 2: `7` where `{` was expected; correct it"),
     (
+        "a prototype with a shape",
+        "PROTO Tri [] {\n Shape { geometry Box { } } }\nShape { geometry Box { } }\nTri { }",
+        "line 5: an instance of the PROTO `Tri`, which has shapes in it, cannot be read; write the nodes of the PROTO in its \
+         place, or remove it if it has no shapes",
+    ),
+    (
+        "a prototype in a group",
+        "PROTO Tri [] { Group { children Shape { } } }\nGroup { children [\n Tri { } ] }",
+        "line 4: an instance of the PROTO `Tri`, which has shapes in it, cannot be read; write the nodes of the PROTO in its \
+         place, or remove it if it has no shapes",
+    ),
+    (
+        "a prototype with another file",
+        "PROTO In [] { Inline { url \"a.wrl\" } } DEF a In { }",
+        "line 2: an instance of the PROTO `In`, which has shapes in it, cannot be read; write the nodes of the PROTO in its \
+         place, or remove it if it has no shapes",
+    ),
+    (
+        "a prototype with a default shape",
+        "PROTO A [ field SFNode part Shape { } ] { Group { children IS part } } A { }",
+        "line 2: an instance of the PROTO `A`, which has shapes in it, cannot be read; write the nodes of the PROTO in its \
+         place, or remove it if it has no shapes",
+    ),
+    (
+        "a prototype of prototypes",
+        "PROTO A [] { Shape { } }\nPROTO B [] { Group { children A { } } }\nB { }",
+        "line 4: an instance of the PROTO `B`, which has shapes in it, cannot be read; write the nodes of the PROTO in its \
+         place, or remove it if it has no shapes",
+    ),
+    (
+        "a prototype within one",
+        "PROTO A [] { PROTO B [] { Shape { } } B { } } A { }",
+        "line 2: an instance of the PROTO `A`, which has shapes in it, cannot be read; write the nodes of the PROTO in its \
+         place, or remove it if it has no shapes",
+    ),
+    (
+        "a prototype of another file",
+        "EXTERNPROTO Tri [ field SFBool on ] [ \"a.wrl\" ]\nTri { }",
+        "line 3: an instance of `Tri`, whose PROTO is in another file, cannot be read; write the nodes of the PROTO in its \
+         place, or remove it if it has no shapes",
+    ),
+    (
+        "a prototype of one of another file",
+        "EXTERNPROTO A [ ] \"a.wrl\"\nPROTO B [] { A { } } B { }",
+        "line 3: an instance of the PROTO `B`, which has shapes in it, cannot be read; write the nodes of the PROTO in its \
+         place, or remove it if it has no shapes",
+    ),
+    (
+        "a prototype in an unknown node",
+        "PROTO A [] { Shape { } } Panel { children [\n A { } ] }",
+        "line 3: an instance of the PROTO `A`, which has shapes in it, cannot be read; write the nodes of the PROTO in its \
+         place, or remove it if it has no shapes",
+    ),
+    (
+        "a prototype without a name",
+        "PROTO [ ] { }",
+        "line 2: `[` where the name of a node type was expected; correct it",
+    ),
+    (
         "an unknown name",
         "Group { children USE a }\nDEF a Group { }",
         "line 2: `a` where a name that `DEF` has given before was expected; correct it",

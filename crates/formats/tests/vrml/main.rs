@@ -197,10 +197,11 @@ const GOOD: &[Good] = &[
     ),
     good(
         "prototypes",
-        "PROTO Thing [ field SFNode part Shape { geometry Box { } } eventIn SFBool set ] { PROTO Inner [] { Group { } }\
-         DEF a Group { children [ DEF b Shape { geometry Sphere { } } ] } ROUTE a.x TO b.y }\n\
+        "PROTO Thing [ field SFNode part Group { } eventIn SFBool set ] { PROTO Inner [] { Group { } }\
+         DEF a Group { children [ DEF b Group { children Inner { } } ] } ROUTE a.x TO b.y }\n\
+         PROTO Unused [ field MFNode parts [ Shape { } ] ] { Group { children Shape { geometry Sphere { } } } }\n\
          EXTERNPROTO Other [ field SFBool on ] [ \"a.wrl\" \"b.wrl\" ] EXTERNPROTO Third [ ] \"c.wrl\"\n\
-         Thing { part NULL } Other { on TRUE }\nShape { geometry PointSet { coord Coordinate { point 1 2 3 } } }",
+         Thing { part NULL }\nShape { appearance Other { on TRUE } geometry PointSet { coord Coordinate { point 1 2 3 } } }",
         &["1 2 3"],
         &[],
         &[],
