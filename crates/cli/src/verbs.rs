@@ -18,7 +18,7 @@ use crate::input::Operand;
 use crate::output;
 use crate::report::{Clock, Made, Report, Seconds, width_bits};
 use splitstar::exact::{Point3, Quaternion};
-use splitstar::formats::{self, Format, Model, Shape, Unit, WriteOptions, Written};
+use splitstar::formats::{self, Format, Loss, Model, Shape, Unit, WriteError, WriteOptions, Written};
 use splitstar::polytope::{PolygonMesh, Polytope};
 
 /// A verb at work: its output is known to be writable, its operands are read.
@@ -75,8 +75,9 @@ impl<'a> Job<'a> {
         };
         let mut options = WriteOptions::new(self.run.encoding());
         (options.float, options.lossy) = (self.run.float, self.run.lossy);
-        let written = formats::write(&outcome.model, &options)
-            .map_err(|error| Failure::file(&file, None, format!("not written: {error}")))?;
+        let written = formats::write(&outcome.model, &options).map_err(|error| {
+            Failure::file(&file, None, format!("not written: {error}{}", option_for(&error)))
+        })?;
         output::write(self.output, &written.bytes)?;
         self.seconds.write = self.clock.lap();
         self.console.close();
@@ -164,6 +165,17 @@ impl Outcome {
         let mut model = Model::of_mesh(polytope.to_mesh());
         model.unit = unit;
         Self { model, polytope: Some(polytope), method, quaternion: None }
+    }
+}
+
+/// The option of ours that is the way out.
+fn option_for(error: &WriteError) -> &'static str {
+    match error {
+        WriteError::Loses { losses, .. } => match losses[..] {
+            [Loss::Holes(_)] => " with --triangulate",
+            _ => " with --lossy",
+        },
+        _ => "",
     }
 }
 

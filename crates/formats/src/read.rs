@@ -64,6 +64,12 @@ fn read_unpacked(bytes: &[u8], by_name: Option<Format>, budget: &mut Budget) -> 
                 instead: "unpack it once".into(),
             }));
         }
+        (Content::Unknown | Content::Unlikely(_), _) if is_utf16(bytes) => {
+            return Err(whole_file(Fault::Unsupported {
+                what: "a text in UTF-16".into(),
+                instead: "write it in UTF-8".into(),
+            }));
+        }
         (Content::Unknown | Content::Unlikely(_), Some(format)) => format,
         (Content::Unknown | Content::Unlikely(_), None) if stl::is_broken_binary(bytes) => Format::Stl,
         (Content::Unlikely(format), None) => format,
@@ -85,6 +91,11 @@ fn read_unpacked(bytes: &[u8], by_name: Option<Format>, budget: &mut Budget) -> 
         Format::Star => star::read(bytes, budget),
     };
     result.map_err(|error| error.of_format(format))
+}
+
+/// Whether a text begins with the byte order mark of UTF-16.
+fn is_utf16(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF")
 }
 
 /// Whether a file may be of some format, as far as its first bytes tell: 64 KiB of them, or all of a shorter file.

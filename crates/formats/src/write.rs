@@ -123,6 +123,25 @@ pub enum WriteError {
     },
     /// A facet cannot be cut into triangles, and the format has nothing else.
     Triangulate(TriangulateError),
+    /// There is no vertex.
+    NoVertices,
+    /// A corner of a facet is no vertex.
+    NoSuchVertex {
+        /// The index of the facet.
+        facet: usize,
+        /// The index of its corner.
+        index: u32,
+    },
+    /// A facet has no corner, or one.
+    SmallFacet {
+        /// The index of the facet.
+        facet: usize,
+    },
+    /// An object begins behind the last facet, or the objects do not ascend.
+    BadObject {
+        /// The index of the object.
+        object: usize,
+    },
     /// A count has no room in the format.
     TooMany {
         /// The format.
@@ -219,6 +238,27 @@ pub fn write(model: &Model, options: &WriteOptions) -> Result<Written, WriteErro
     Ok(Written { bytes, largest_rounding: body.rounding.0, notes })
 }
 
+/// A mesh that a program made may be anything.
+fn check_indices(mesh: &PolygonMesh, objects: &[Object]) -> Result<(), WriteError> {
+    if mesh.points.is_empty() {
+        return Err(WriteError::NoVertices);
+    }
+    let (vertices, facets) = (mesh.points.len(), mesh.facets.len());
+    for (facet, cycle) in mesh.facets.iter().enumerate() {
+        if let Some(&index) = cycle.iter().find(|&&vertex| vertex as usize >= vertices) {
+            return Err(WriteError::NoSuchVertex { facet, index });
+        }
+        if cycle.len() < 2 {
+            return Err(WriteError::SmallFacet { facet });
+        }
+    }
+    let in_order = objects.is_sorted_by_key(|object| object.first_facet);
+    match objects.iter().position(|object| object.first_facet as usize > facets) {
+        None if in_order => Ok(()),
+        object => Err(WriteError::BadObject { object: object.unwrap_or(0) }),
+    }
+}
+
 fn write_mesh(
     mesh: &PolygonMesh,
     named: &[Object],
@@ -226,6 +266,7 @@ fn write_mesh(
     options: &WriteOptions,
     notes: &mut Vec<WriteNote>,
 ) -> Result<Body, WriteError> {
+    check_indices(mesh, named)?;
     let format = options.encoding.format;
     let can = format.abilities();
     let polygons = Kind::of(mesh).has_polygons();
@@ -397,6 +438,17 @@ impl fmt::Display for WriteError {
                 };
                 f.write_str(way_out)
             }
+            Self::NoVertices => f.write_str("there is no vertex; at least one is needed"),
+            Self::NoSuchVertex { facet, index } => {
+                write!(f, "facet {facet} has the vertex {index}, which does not exist; correct the facet")
+            }
+            Self::SmallFacet { facet } => {
+                write!(f, "facet {facet} has fewer than two vertices; a facet needs three, and a segment two")
+            }
+            Self::BadObject { object } => write!(
+                f,
+                "object {object} is not where it should be: objects ascend, and begin with facets of the model"
+            ),
             Self::Unbounded => {
                 f.write_str("the set is unbounded, and only star can hold it; write star, or cut it off")
             }

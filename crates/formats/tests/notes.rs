@@ -3,7 +3,8 @@
 // A test fails by panicking, in its helpers too.
 #![allow(clippy::unwrap_used)]
 
-use splitstar_formats::{Format, Model, Object, ReadModel, Unit, WriteOptions, read, write};
+use polytope::PolygonMesh;
+use splitstar_formats::{Format, Model, Object, ReadModel, Shape, Unit, WriteOptions, read, write};
 
 /// Two triangles, and two vertices that are in no facet.
 const TRIANGLES: &[u8] = b"OFF\n6 2 0\n9 9 9\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n8 8 8\n3 1 2 3\n3 1 2 4\n";
@@ -127,4 +128,58 @@ fn a_mesh_without_objects_stays_one() {
     }
     let star = write(&read_model.model, &WriteOptions::new(Format::Star)).unwrap();
     assert!(!String::from_utf8(star.bytes).unwrap().contains("object"));
+}
+
+/// A model that a program made may be anything, and is refused before it is written.
+#[test]
+fn models_that_are_none_are_refused_in_every_format() {
+    let cases: [(&dyn Fn(&mut Model), &str); 5] = [
+        (
+            &|model| model.shape = Shape::Mesh(PolygonMesh::default()),
+            "there is no vertex; at least one is needed",
+        ),
+        (
+            &|model| push(model, &[0, 1, 7]),
+            "facet 1 has the vertex 7, which does not exist; correct the facet",
+        ),
+        (
+            &|model| push(model, &[2]),
+            "facet 1 has fewer than two vertices; a facet needs three, and a segment two",
+        ),
+        (
+            &|model| model.objects = vec![object(2)],
+            "object 0 is not where it should be: objects ascend, and begin with facets of the model",
+        ),
+        (
+            &|model| model.objects = vec![object(1), object(0)],
+            "object 0 is not where it should be: objects ascend, and begin with facets of the model",
+        ),
+    ];
+    for (spoil, message) in cases {
+        let mut spoilt = model(TRIANGLE, &[], None);
+        spoil(&mut spoilt);
+        for format in Format::ALL {
+            let error = write(&spoilt, &WriteOptions::new(format)).unwrap_err();
+            assert_eq!(error.to_string(), message, "{format:?}");
+        }
+    }
+}
+
+fn push(model: &mut Model, cycle: &[u32]) {
+    let Shape::Mesh(mesh) = &mut model.shape else { panic!("a triangle is a mesh") };
+    mesh.facets.push(cycle);
+}
+
+fn object(first_facet: u32) -> Object {
+    Object { name: "a".into(), first_facet }
+}
+
+#[test]
+fn a_text_in_utf_16_is_named() {
+    for bytes in [&b"\xFF\xFEO\0F\0F\0"[..], b"\xFE\xFF\0v"] {
+        for name in [None, Some("x.obj")] {
+            let error = read(bytes, name).unwrap_err();
+            assert_eq!(error.to_string(), "a text in UTF-16 cannot be read; write it in UTF-8");
+        }
+    }
 }

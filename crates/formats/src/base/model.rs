@@ -22,7 +22,6 @@ pub struct Model {
 
 /// The cells of a model.
 #[derive(Clone, Debug)]
-#[non_exhaustive]
 pub enum Shape {
     /// Points and polygons: what every mesh format can say.
     Mesh(PolygonMesh),

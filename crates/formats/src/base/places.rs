@@ -4,7 +4,6 @@ use std::fmt;
 
 /// A place in a file: a line of text, or an offset into bytes.
 #[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
-#[non_exhaustive]
 pub enum Place {
     /// A line, counted from 1.
     Line(u32),

@@ -100,11 +100,11 @@ fn a_joined_mesh_may_be_a_complex() {
         ring.facets.push(&[a, b, b + 4]);
         ring.facets.push(&[a, b + 4, a + 4]);
     }
-    let mended = ring.mended(Mending { join: true }, &mut Vec::new()).unwrap();
+    let mended = ring.mended(Mending::joining(), &mut Vec::new()).unwrap();
     let mut model = Model::of_mesh(PolygonMesh::default());
     model.shape = Shape::of_mended(mended);
     assert!(write(&model).contains("\nfacet 0 1 2 3 hole 5 4 7 6 sides 0 0\n"), "{}", write(&model));
-    let mended = ring.mended(Mending { join: false }, &mut Vec::new()).unwrap();
+    let mended = ring.mended(Mending::new(), &mut Vec::new()).unwrap();
     assert_eq!(Complex::of_mended(mended.clone()), Complex::of_mesh(&ring));
     assert!(Shape::of_mended(mended).mesh().is_some());
 }
