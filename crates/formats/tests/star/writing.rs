@@ -4,7 +4,7 @@ use crate::{CUBE, model, read, records, write};
 use exact::{Integer, Point3, Vector3};
 use polytope::{Facets, PolygonMesh};
 use splitstar_formats::{
-    Cell, Complex, Facet, Format, Model, Object, Rule, Unit, Vertex, WriteError, WriteOptions,
+    Cell, Complex, Facet, Format, Model, Object, Rule, Unit, Vertex, WriteError, WriteNote, WriteOptions,
 };
 
 fn mesh(points: usize, facets: &[&[u32]]) -> PolygonMesh {
@@ -47,7 +47,10 @@ fn meshes_come_back_the_same() {
 fn vertices_without_a_facet_are_left_out() {
     let mesh = mesh(6, &[&[5, 2, 1]]);
     let text = records("vertex 0 1 1 1\nvertex 1 2 4 8\nvertex 2 5 25 125\nfacet 2 1 0 sides 0 0\n");
-    assert_eq!(write(&Model::of_mesh(mesh.clone())), text);
+    let options = WriteOptions::new(Format::Star);
+    let written = splitstar_formats::write(&Model::of_mesh(mesh.clone()), &options).unwrap();
+    assert_eq!(String::from_utf8(written.bytes).unwrap(), text);
+    assert_eq!(written.notes, [WriteNote::UnusedVertices(3)]);
     assert_eq!(write(&model(Complex::of_mesh(&mesh))), text);
 }
 
