@@ -9,6 +9,8 @@ use std::io::{self, Read, Write};
 const MAGIC: &[u8] = b"\x1F\x8B";
 /// The system that a file says it was packed on: unknown, so that all systems write the same.
 const UNKNOWN_SYSTEM: u8 = 255;
+/// What each member after the first is charged: to begin one takes time, and one without data has 20 bytes.
+const MEMBER: u64 = 2048;
 /// The least that is allocated at a time.
 const STEP: usize = 1 << 16;
 
@@ -17,7 +19,8 @@ const STEP: usize = 1 << 16;
 /// Zeros behind the last member are the padding of tapes, and ignored.
 ///
 /// # Errors
-/// Data that is damaged, at the byte where its member begins; or so much that no mesh of it would fit.
+/// Data that is damaged, at the byte where its member begins; or so much that no mesh of it would fit, or so many
+/// members.
 pub(crate) fn unpack(bytes: &[u8], budget: &mut Budget) -> Result<Vec<u8>, Located> {
     let mut unpacked = Unpacked::within(budget);
     let mut members =
@@ -27,6 +30,9 @@ pub(crate) fn unpack(bytes: &[u8], budget: &mut Budget) -> Result<Vec<u8>, Locat
         if start > 0 && !members.rest.starts_with(MAGIC) {
             let why = "something that is not gzip follows the end".into();
             return Err(Fault::Packed { why }).at_byte(start);
+        }
+        if start > 0 {
+            unpacked.budget.charge(MEMBER).at_byte(start)?;
         }
         members.begin().map_err(|error| Fault::Packed { why: plain(&error) }).at_byte(start)?;
         unpacked.fill(&mut members).at_byte(start)?;

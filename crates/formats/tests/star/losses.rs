@@ -57,7 +57,7 @@ fn the_message_says_the_way_out() {
     let text = records(&format!("{CUBE}vertex 20 9 9 9\nedge 6 20 unmarked\n"));
     assert_eq!(
         off(&text, false).unwrap_err().to_string(),
-        "OFF cannot hold 1 mark of its own, and 1 edge of its own; write star, or leave it out with --lossy"
+        "OFF cannot hold 1 mark of its own, and 1 edge of its own; write star, or allow it to be left out"
     );
 }
 
@@ -94,7 +94,7 @@ fn sets_without_a_bounded_inside_have_no_mesh() {
     }
     assert_eq!(
         off(&records(""), false).unwrap_err().to_string(),
-        "OFF cannot hold the empty set; write star, or leave it out with --lossy"
+        "OFF cannot hold the empty set; write star, or allow it to be left out"
     );
 }
 

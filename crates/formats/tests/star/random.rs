@@ -107,7 +107,6 @@ fn random_complexes_come_back() {
                 same += usize::from(read == complex);
                 assert_eq!(read.summary(), complex.summary(), "{text}");
             }
-            _ => panic!("neither a mesh nor a complex"),
         }
     }
     assert!(same > 1_500 && meshes > 50 && lines > 40, "{same} {meshes} {lines}");

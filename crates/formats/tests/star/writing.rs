@@ -5,7 +5,7 @@ use exact::{Integer, Point3, Vector3};
 use polytope::{Facets, Mending, PolygonMesh};
 use splitstar_formats::{
     Cell, Complex, Edge, Encoding, Facet, Format, Model, Object, Rule, Shape, Unit, Vertex, WriteError,
-    WriteOptions,
+    WriteNote, WriteOptions,
 };
 
 fn mesh(points: usize, facets: &[&[u32]]) -> PolygonMesh {
@@ -48,7 +48,10 @@ fn meshes_come_back_the_same() {
 fn vertices_without_a_facet_are_left_out() {
     let mesh = mesh(6, &[&[5, 2, 1]]);
     let text = records("vertex 0 1 1 1\nvertex 1 2 4 8\nvertex 2 5 25 125\nfacet 2 1 0 sides 0 0\n");
-    assert_eq!(write(&Model::of_mesh(mesh.clone())), text);
+    let options = WriteOptions::new(Format::Star);
+    let written = splitstar_formats::write(&Model::of_mesh(mesh.clone()), &options).unwrap();
+    assert_eq!(String::from_utf8(written.bytes).unwrap(), text);
+    assert_eq!(written.notes, [WriteNote::UnusedVertices(3)]);
     assert_eq!(write(&model(Complex::of_mesh(&mesh))), text);
 }
 
