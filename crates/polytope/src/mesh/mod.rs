@@ -13,6 +13,7 @@ mod error;
 mod flat;
 mod join;
 mod mend;
+mod positions;
 mod shape;
 mod slack;
 mod strict;
