@@ -130,10 +130,12 @@ fn a_mesh_without_objects_stays_one() {
     assert!(!String::from_utf8(star.bytes).unwrap().contains("object"));
 }
 
+type Spoil<'a> = &'a dyn Fn(&mut Model);
+
 /// A model that a program made may be anything, and is refused before it is written.
 #[test]
 fn models_that_are_none_are_refused_in_every_format() {
-    let cases: [(&dyn Fn(&mut Model), &str); 5] = [
+    let cases: [(Spoil, &str); 5] = [
         (
             &|model| model.shape = Shape::Mesh(PolygonMesh::default()),
             "there is no vertex; at least one is needed",

@@ -337,7 +337,11 @@ fn marks_are_left_out_only_if_it_is_allowed() {
     let file = folder.write("open.star", open_cube);
     let off = folder.path("out.off");
     let lossy = convert(&file, &off, &["--lossy"]);
-    let notes = ["left out: 26 marks of their own", "the format has no unit: millimeter is not written"];
+    let notes = [
+        "left out: 26 marks of their own",
+        "the format has no objects: one is written without its name",
+        "the format has no unit: millimeter is not written",
+    ];
     assert_eq!(lossy.notes(), notes.map(|note| format!("note: {off}: {note}")));
     let facts = info(&off);
     assert_eq!((counts(&facts), &facts["volume"]), ([8, 12, 6], &json!("1")));

@@ -14,6 +14,7 @@ mod flat;
 mod join;
 mod mend;
 mod planar;
+mod positions;
 mod shape;
 mod slack;
 mod strict;

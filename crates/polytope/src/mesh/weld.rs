@@ -1,11 +1,11 @@
 //! Vertices at equal positions made one, unused ones dropped.
 
 use super::edges::{EdgeTable, Groups};
+use super::positions::first_at_position;
 use super::{Note, closed};
 use crate::{Facets, PolygonMesh};
 use dcel::{Defect, Mesh};
 use exact::{Point3, share_weight};
-use std::collections::HashMap;
 
 /// A mesh in which every vertex is used, with the way back to the mesh it came from.
 pub(super) struct Compact {
@@ -143,9 +143,7 @@ impl Compact {
 
     /// For each vertex the first one at the same position.
     pub(super) fn weld_labels(&self) -> Vec<u32> {
-        let mut first = HashMap::with_capacity(self.points.len());
-        let label = |(v, point): (usize, &Point3)| *first.entry(point.canonical_key()).or_insert(v as u32);
-        self.points.iter().enumerate().map(label).collect()
+        first_at_position(&self.points)
     }
 
     /// Whether the facets enclose a volume, with any number of facets at an edge.

@@ -135,21 +135,23 @@ fn fan(cycle: &[u32], facets: &mut Facets) {
 /// A positive multiple of the sum of the cross products of consecutive corners (Newell): twice the
 /// area times the unit normal, for a planar polygon.
 fn area_vector(points: &[Point3], cycle: &[u32]) -> Vector3 {
-    let corners: Vec<[Integer; 4]> = cycle.iter().map(|&v| points[v as usize].homogeneous()).collect();
-    let common = corners.iter().fold(Integer::from(1), |weight, corner| weight.lcm(&corner[3]));
-    let scaled = |corner: &[Integer; 4]| {
-        let factor = common.div_exact(&corner[3]);
-        [0, 1, 2].map(|axis| &corner[axis] * &factor)
+    // Not kept: the facet may have more corners than the mesh has vertices.
+    let corner = |v: u32| points[v as usize].homogeneous();
+    let common = cycle.iter().fold(Integer::from(1), |weight, &v| weight.lcm(&corner(v)[3]));
+    let scaled = |v: u32| {
+        let [x, y, z, weight] = corner(v);
+        let factor = common.div_exact(&weight);
+        [x, y, z].map(|entry| entry * &factor)
     };
-    let first = scaled(&corners[0]);
-    let arm = |corner: &[Integer; 4]| {
-        let corner = scaled(corner);
+    let first = scaled(cycle[0]);
+    let arm = |v: u32| {
+        let corner = scaled(v);
         [0, 1, 2].map(|axis| &corner[axis] - &first[axis])
     };
     let mut sum = [Integer::from(0), Integer::from(0), Integer::from(0)];
-    let mut before = arm(&corners[1]);
-    for corner in &corners[2..] {
-        let after = arm(corner);
+    let mut before = arm(cycle[1]);
+    for &v in &cycle[2..] {
+        let after = arm(v);
         for (total, term) in sum.iter_mut().zip(predicate::cross(before, after.clone())) {
             *total = &*total + &term;
         }

@@ -13,6 +13,10 @@ pub(super) struct Outline<'a> {
     /// The place of each corner in the order of the plane; corners at the same place share it.
     pub(super) ranks: Vec<u32>,
     pub(super) edges: Vec<Edge>,
+    /// Of planar cycles the order of the corners in a second coordinate, as that of [`Self::ranks`], and the
+    /// sign of its direction upwards. It spares most tests of what is above what.
+    heights: Vec<u32>,
+    upwards: Sign,
 }
 
 /// An edge of the boundary, between two corners.
@@ -56,8 +60,12 @@ impl<'a> Outline<'a> {
                 pairs.extend((first..end).map(|c| [c, if c + 1 < end { c + 1 } else { first }]));
             }
         }
-        let mut outline = Self { points, normal, vertices, ranks: Vec::new(), edges: Vec::new() };
+        let (ranks, heights, edges) = (Vec::new(), Vec::new(), Vec::with_capacity(pairs.len()));
+        let mut outline = Self { points, normal, vertices, ranks, edges, heights, upwards: Sign::Zero };
         outline.ranks = outline.ranked(planar);
+        if planar {
+            outline.raise();
+        }
         for [source, target] in pairs {
             let forward = match outline.rank(source).cmp(&outline.rank(target)) {
                 Ordering::Less => true,
@@ -85,14 +93,31 @@ impl<'a> Outline<'a> {
                 }
             }
         };
+        self.places(order)
+    }
+
+    /// The place of each corner in an order; equal ones share it.
+    fn places(&self, order: impl Fn(&u32, &u32) -> Ordering) -> Vec<u32> {
         let mut sorted: Vec<u32> = (0..self.vertices.len() as u32).collect();
-        sorted.sort_by(order);
-        let mut ranks = vec![0; sorted.len()];
+        sorted.sort_by(&order);
+        let mut places = vec![0; sorted.len()];
         for pair in sorted.windows(2) {
             let step = u32::from(order(&pair[0], &pair[1]) == Ordering::Less);
-            ranks[pair[1] as usize] = ranks[pair[0] as usize] + step;
+            places[pair[1] as usize] = places[pair[0] as usize] + step;
         }
-        ranks
+        places
+    }
+
+    /// Finds the heights. The first coordinate of the lexicographic order is the first that is not constant in
+    /// the plane; the second is the next that is not a function of it. Upwards is the normal times the first.
+    fn raise(&mut self) {
+        let (axis, upwards) = match [0, 1, 2].map(|axis| self.normal.sign(axis)) {
+            [x, Sign::Zero, Sign::Zero] => (2, x),
+            [_, y, Sign::Zero] => (2, -y),
+            [_, _, z] => (1, z),
+        };
+        self.heights = self.places(|&a, &b| self.point(a).compare_coordinate(self.point(b), axis));
+        self.upwards = upwards;
     }
 
     /// Two independent directions at right angles to the normal.
@@ -179,6 +204,18 @@ impl<'a> Outline<'a> {
     /// Where a corner lies of an edge that begins before it and does not end before it: positive above.
     pub(super) fn side(&self, edge: u32, corner: u32) -> Sign {
         let Edge { low, high, .. } = *self.edge(edge);
-        if self.rank(high) == self.rank(corner) { Sign::Zero } else { self.turn(low, high, corner) }
+        if self.rank(high) == self.rank(corner) {
+            return Sign::Zero;
+        }
+        if let Some(&height) = self.heights.get(corner as usize) {
+            let ends = [low, high].map(|corner| self.heights[corner as usize]);
+            if ends.iter().all(|&end| end < height) {
+                return self.upwards;
+            }
+            if ends.iter().all(|&end| end > height) {
+                return -self.upwards;
+            }
+        }
+        self.turn(low, high, corner)
     }
 }
