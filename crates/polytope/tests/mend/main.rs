@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout, reason = "tests print their seeds and what they have met")]
 
 mod grids;
+mod joins;
 mod rows;
 
 use exact::{Point3, Rational};
