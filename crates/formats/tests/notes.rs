@@ -135,7 +135,7 @@ type Spoil<'a> = &'a dyn Fn(&mut Model);
 /// A model that a program made may be anything, and is refused before it is written.
 #[test]
 fn models_that_are_none_are_refused_in_every_format() {
-    let cases: [(Spoil, &str); 5] = [
+    let cases: [(Spoil<'_>, &str); 5] = [
         (
             &|model| model.shape = Shape::Mesh(PolygonMesh::default()),
             "there is no vertex; at least one is needed",
