@@ -4,6 +4,7 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Instant;
 
+use crate::readers::{self, Demand};
 use crate::{Failure, shell, tidy};
 
 /// The features of `exact` that only tests use: without this step their code would not be looked at.
@@ -46,6 +47,7 @@ pub(crate) fn run() -> Result<(), Failure> {
         shell::run(shell::cargo().env("RUSTDOCFLAGS", "-Dwarnings").args(["doc", "--workspace", "--no-deps"]))
     })?;
     step("wasm32", &mut wasm32)?;
+    step("other readers", &mut other_readers)?;
 
     println!("\nall {passed} steps passed in {:.0} s", start.elapsed().as_secs_f64());
     Ok(())
@@ -55,6 +57,13 @@ fn clippy(selection: &[&str], targets: &str) -> Command {
     let mut command = shell::cargo();
     command.arg("clippy").args(selection).args([targets, "--", "-Dwarnings"]);
     command
+}
+
+/// Other programs read our files. In continuous integration they must be there; elsewhere they are skipped where they
+/// cannot be installed.
+fn other_readers() -> Result<(), Failure> {
+    let required = std::env::var_os("CI").is_some_and(|value| !value.is_empty());
+    readers::check(if required { Demand::Packages } else { Demand::Rough })
 }
 
 /// Checks the libraries for a target without files and threads, where that target is installed.

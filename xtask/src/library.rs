@@ -3,7 +3,6 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use formats::read_off;
 use polytope::{PolygonMesh, Polytope, minkowski_sum};
 
 use crate::Failure;
@@ -87,14 +86,15 @@ fn median(mut values: Vec<f64>) -> f64 {
     if values.len() % 2 == 1 { values[middle] } else { f64::midpoint(values[middle - 1], values[middle]) }
 }
 
-/// Reads an OFF file.
+/// Reads a mesh file.
 ///
 /// # Errors
 /// If the file is missing or is not a mesh.
 pub(crate) fn read(path: &Path) -> Result<PolygonMesh, Failure> {
     let bytes = std::fs::read(path).map_err(|error| format!("{}: {error}", path.display()))?;
-    let read = read_off(&bytes).map_err(|error| format!("{}: {error}", path.display()))?;
-    Ok(read.mesh)
+    let read = formats::read(&bytes, None).map_err(|error| format!("{}: {error}", path.display()))?;
+    let mesh = read.model.shape.into_mesh();
+    mesh.ok_or_else(|| format!("{}: it is no mesh", path.display()).into())
 }
 
 /// The polytope of a convex mesh.

@@ -6,6 +6,7 @@
 //! | `tidy` | checks the tree against `ARCHITECTURE.md` and the rules for files |
 //! | `tables` | counts the primal columns of thesis tables 3.3 and 3.4 again |
 //! | `peers` | times the library and its peers on the same inputs, in one run |
+//! | `readers` | other programs read our files, and we read theirs |
 //! | `bench` | growth of time and memory with the size of the input, and with the width of the coordinates |
 #![allow(clippy::print_stdout, clippy::print_stderr, reason = "a program for the terminal")]
 
@@ -13,6 +14,8 @@ mod bench;
 mod ci;
 mod library;
 mod peers;
+mod python;
+mod readers;
 mod shell;
 mod solids;
 mod tables;
@@ -30,6 +33,7 @@ usage: cargo xtask VERB
   tidy                                       ARCHITECTURE.md against the tree
   tables                                     thesis tables 3.3 and 3.4: counted, printed, why they differ
   peers [--require] [--only PAIR] [--out F]  speed against CGAL, Manifold and SciPy; see peers/README.md
+  readers [--require]                        files against trimesh, Manifold, assimp and others; see peers/README.md
   bench [growth|widths]                      growth of time and memory; widths of coordinates";
 
 fn main() -> ExitCode {
@@ -40,6 +44,9 @@ fn main() -> ExitCode {
         ["tidy"] => tidy::run(),
         ["tables"] => tables::run(),
         ["peers", rest @ ..] => peers::run(rest),
+        ["readers", rest @ ..] => readers::run(rest),
+        // Asked by `readers`, in a release build.
+        ["readers-time", path] => readers::time(path),
         ["bench", rest @ ..] => bench::run(rest),
         _ => {
             eprintln!("{USAGE}");

@@ -4,6 +4,7 @@ use crate::failure::Failure;
 use lexopt::Arg;
 use lexopt::prelude::*;
 use splitstar::exact::Rational;
+use splitstar::formats::{Encoding, Format, Unit};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
 
@@ -24,7 +25,12 @@ pub(crate) struct Run {
     pub(crate) output: Option<Place>,
     pub(crate) json: bool,
     pub(crate) quiet: bool,
+    /// Asked for by name; otherwise the ending of the output's name decides.
+    pub(crate) format: Option<Encoding>,
     pub(crate) float: bool,
+    pub(crate) lossy: bool,
+    pub(crate) unit: Option<Unit>,
+    pub(crate) join: bool,
     pub(crate) hull: bool,
     pub(crate) method: Method,
     pub(crate) motion: Motion,
@@ -82,17 +88,21 @@ impl Verb {
 
     fn options(self) -> &'static [&'static str] {
         match self {
-            Self::Sum => &["output", "method", "hull", "float", "json", "quiet"],
-            Self::Hull => &["output", "float", "json", "quiet"],
+            Self::Sum => &["output", "format", "method", "hull", "triangulate", "float", "json", "quiet"],
+            Self::Hull => &["output", "format", "float", "json", "quiet"],
             Self::Info => &["json", "quiet"],
             Self::Convert => &[
                 "output",
+                "format",
+                "unit",
                 "scale",
                 "reflect",
                 "rotate",
                 "quat",
                 "translate",
                 "triangulate",
+                "join",
+                "lossy",
                 "float",
                 "json",
                 "quiet",
@@ -140,7 +150,11 @@ fn parse_run(verb: Verb, parser: &mut lexopt::Parser) -> Result<Command, Failure
         output: None,
         json: false,
         quiet: false,
+        format: None,
         float: false,
+        lossy: false,
+        unit: None,
+        join: false,
         hull: false,
         method: Method::default(),
         motion: Motion::default(),
@@ -187,6 +201,19 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
             }
             run.output = Some(place(&word));
         }
+        "format" => {
+            let word = value()?;
+            run.format = Some(word.to_str().and_then(Encoding::from_name).ok_or_else(|| {
+                usage(verb, format!("unknown format `{}`: {}", word.to_string_lossy(), format_names()))
+            })?);
+        }
+        "unit" => {
+            let word = value()?;
+            run.unit = Some(word.to_str().and_then(Unit::from_name).ok_or_else(|| {
+                let names = Unit::ALL.map(Unit::name).join(", ");
+                usage(verb, format!("unknown unit `{}`: {names}", word.to_string_lossy()))
+            })?);
+        }
         "method" => {
             let word = value()?;
             run.method = match word.to_str() {
@@ -225,6 +252,8 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
         "triangulate" => run.triangulate = true,
         "hull" => run.hull = true,
         "float" => run.float = true,
+        "lossy" => run.lossy = true,
+        "join" => run.join = true,
         "json" => run.json = true,
         "quiet" => run.quiet = true,
         _ => unreachable!("every option in the lists of the verbs is set here"),
@@ -254,6 +283,9 @@ fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
     if verb != Verb::Info && run.output.is_none() {
         return Err(usage(verb, "where to write is missing: -o OUT, or -o - for standard output"));
     }
+    if let (Some(output), None) = (&run.output, run.format) {
+        encoding_of_name(output).map_err(|sentence| usage(verb, sentence))?;
+    }
     if run.json && run.output == Some(Place::Standard) {
         return Err(usage(verb, "`-o -` and `--json` both want standard output; write the mesh to a file"));
     }
@@ -261,6 +293,28 @@ fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
         return Err(usage(verb, "`--rotate` and `--quat` exclude each other"));
     }
     Ok(())
+}
+
+impl Run {
+    /// What to write: the format that was asked for, or that of the output's name.
+    pub(crate) fn encoding(&self) -> Encoding {
+        let by_name = || encoding_of_name(self.output.as_ref()?).ok();
+        self.format.or_else(by_name).unwrap_or(Encoding::from(Format::Off))
+    }
+}
+
+/// The format by the ending of a name; OFF where a name has no ending.
+fn encoding_of_name(output: &Place) -> Result<Encoding, String> {
+    let Place::File(path) = output else { return Ok(Format::Off.into()) };
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let Some((_, ending)) = name.rsplit_once('.') else { return Ok(Format::Off.into()) };
+    Encoding::from_file_name(&name).ok_or_else(|| {
+        format!("`.{ending}` is the ending of no format; use another, or --format: {}", format_names())
+    })
+}
+
+fn format_names() -> String {
+    format!("{}, each also with .gz", Format::ALL.map(Format::name).join(", "))
 }
 
 fn place(word: &OsStr) -> Place {

@@ -1,7 +1,8 @@
 //! Standard error: notes, the summary, and a bar when it takes long.
 
-use crate::failure::one_line;
+use crate::failure::{located, one_line};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use splitstar::formats::Place;
 use std::io::{self, IsTerminal, Write};
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::thread::JoinHandle;
@@ -45,9 +46,8 @@ impl Console {
     }
 
     /// Something the user should know about a file.
-    pub(crate) fn note(&self, file: &str, line: Option<u32>, sentence: &str) {
-        let line = line.map_or(String::new(), |line| format!("{line}:"));
-        self.say(&format!("note: {}:{line} {}", one_line(file), one_line(sentence)));
+    pub(crate) fn note(&self, file: &str, place: Option<Place>, sentence: &str) {
+        self.say(&format!("note: {} {}", located(file, place), one_line(sentence)));
     }
 
     /// Whether what is said is shown.

@@ -1,5 +1,6 @@
 //! How a command ends when it does not succeed.
 
+use splitstar::formats::{Place, ReadError};
 use std::fmt;
 use std::process::ExitCode;
 
@@ -9,7 +10,7 @@ pub(crate) enum Failure {
     /// The command line is wrong. Exit code 2.
     Usage(String),
     /// A file is wrong, or something could not be done with it. Exit code 1.
-    File { file: String, line: Option<u32>, sentence: String },
+    File { file: String, place: Option<Place>, sentence: String },
     /// The reader of a report went away: nothing to say, nothing lost.
     Closed,
 }
@@ -19,8 +20,12 @@ impl Failure {
         Self::Usage(sentence.into())
     }
 
-    pub(crate) fn file(file: &str, line: Option<u32>, sentence: impl Into<String>) -> Self {
-        Self::File { file: file.into(), line, sentence: sentence.into() }
+    pub(crate) fn file(file: &str, place: Option<Place>, sentence: impl Into<String>) -> Self {
+        Self::File { file: file.into(), place, sentence: sentence.into() }
+    }
+
+    pub(crate) fn read(file: &str, error: &ReadError) -> Self {
+        Self::file(&part_name(file, error.part.as_deref()), error.place, error.sentence())
     }
 
     pub(crate) fn exit_code(&self) -> ExitCode {
@@ -36,14 +41,29 @@ impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Usage(sentence) => write!(f, "{}", one_line(sentence)),
-            Self::File { file, line: Some(line), sentence } => {
-                write!(f, "{}:{line}: {}", one_line(file), one_line(sentence))
-            }
-            Self::File { file, line: None, sentence } => {
-                write!(f, "{}: {}", one_line(file), one_line(sentence))
+            Self::File { file, place, sentence } => {
+                write!(f, "{} {}", located(file, *place), one_line(sentence))
             }
             Self::Closed => Ok(()),
         }
+    }
+}
+
+/// A file with a place in it, as messages begin: `cube.off:7:`, `cube.stl: byte 84:`.
+pub(crate) fn located(file: &str, place: Option<Place>) -> String {
+    let file = one_line(file);
+    match place {
+        None => format!("{file}:"),
+        Some(Place::Line(line)) => format!("{file}:{line}:"),
+        Some(Place::Byte(byte)) => format!("{file}: byte {byte}:"),
+    }
+}
+
+/// A file, or a file within an archive.
+pub(crate) fn part_name(file: &str, part: Option<&str>) -> String {
+    match part {
+        None => file.to_string(),
+        Some(part) => format!("{file}({part})"),
     }
 }
 

@@ -22,8 +22,8 @@ usage: splitstar VERB FILE... [OPTIONS]
 verbs:
   sum      the Minkowski sum of two or more convex polytopes
   hull     the convex hull of the points of one or more files
-  info     what a file is: counts, dimension, convexity, volume, bounds
-  convert  scale, reflect, rotate, move, triangulate; any mesh
+  info     what a file is: format, counts, dimension, convexity, volume, bounds
+  convert  another format; scale, reflect, rotate, move, triangulate; any mesh
 
   splitstar VERB --help tells all about a verb, with an example.
 
@@ -33,10 +33,11 @@ options of all verbs:
   -h, --help     this text
   -V, --version  the version
 
-Files are OFF. A coordinate may be an integer, a decimal (with exponent) or a fraction p/q, and
-counts exactly as written; results are exact. A file without facets is a point set and stands for
-its hull; a file whose only facet is a polygon, or has two vertices, is one of dimension
-2 or 1.
+Read: OFF, OBJ, STL, PLY, 3MF, VRML 2 and star, each perhaps packed with gzip; the content tells
+which. Written: these and glTF (.glb); the ending of the output's name tells which, or --format.
+A decimal counts exactly as written, a binary float as the fraction it is; what a format must round
+is told. A file without facets is a point set and stands for its hull; a file whose only facet is a
+polygon, or has two vertices, is one of dimension 2 or 1.
 `-` is standard input or standard output.
 
 exit code: 0 done; 1 error: FILE:LINE: what, and what to do; 2 wrong command line; 130 interrupted
@@ -50,13 +51,15 @@ splitstar sum: the Minkowski sum of two or more convex polytopes, exact
 
 usage: splitstar sum A B [C ...] -o OUT [OPTIONS]
 
-  A B C ...         OFF files of convex polytopes of dimension 0 to 3; `-` is standard input
+  A B C ...         files of convex polytopes of dimension 0 to 3; `-` is standard input
   -o, --output OUT  where to write the sum; `-` is standard output
+  --format FORMAT   what to write; without it the ending of OUT decides (off where it has none)
   --method METHOD   overlay: walk over both Gaussian maps (default)
                     hull: convex hull of all sums of vertices, slower, the check of the other;
                     takes fewer than 2^28 sums
   --hull            take the convex hull of a file that is not convex, and tell how far a vertex
                     of the mesh lies inside it at most
+  --triangulate     cut facets into triangles first; the way out for facets that are not planar
   --float           write floats, rounded to nearest, and tell the largest rounding
   --json            one JSON object on standard output: counts, volume, bounds, method, times
   -q, --quiet       no notes, no summary, no progress bar
@@ -73,8 +76,9 @@ splitstar hull: the convex hull of the points of one or more files, exact
 
 usage: splitstar hull A [B ...] -o OUT [OPTIONS]
 
-  A B ...           OFF files, of which only the points are used; `-` is standard input
+  A B ...           files, of which only the points are used; `-` is standard input
   -o, --output OUT  where to write the hull; `-` is standard output
+  --format FORMAT   what to write; without it the ending of OUT decides (off where it has none)
   --float           write floats, rounded to nearest, and tell the largest rounding
   --json            one JSON object on standard output: counts, volume, bounds, times
   -q, --quiet       no notes, no summary, no progress bar
@@ -90,7 +94,7 @@ splitstar info: what a file is
 
 usage: splitstar info A [--json]
 
-  A            an OFF file, convex or not, closed or not; `-` is standard input
+  A            a file of any format, convex or not, closed or not; `-` is standard input
   --json       one JSON object on standard output
   -q, --quiet  no notes
 
@@ -103,14 +107,26 @@ example:
 ";
 
 const CONVERT: &str = "\
-splitstar convert: scale, reflect, rotate, move, triangulate; any mesh, exact
+splitstar convert: another format; scale, reflect, rotate, move, triangulate; any mesh, exact
 
 usage: splitstar convert A -o OUT [OPTIONS]
 
-  A                     an OFF file, convex or not; `-` is standard input
+  A                     a file of any format, convex or not; `-` is standard input
   -o, --output OUT      where to write; `-` is standard output
+  --format FORMAT       what to write: off, obj, stl, stl-ascii, ply, ply-big-endian, ply-ascii,
+                        3mf, glb, wrl or star, each also with .gz behind it (stl.gz); without it
+                        the ending of OUT decides (off where it has none)
 
-applied in this order:
+mended first, with a note each: equal positions are welded where the surface is not closed without
+it, vertices on no facet are dropped, a mesh that is inside out is turned round.
+
+  --join                join coplanar facets and collinear edges
+  --triangulate         cut facets into triangles, with holes too; the way out for facets that are
+                        not planar. With --join: what is joined is cut
+
+then applied, in this order:
+  --unit UNIT           micron, millimeter, centimeter, inch, foot or meter: coordinates in another
+                        unit are converted exactly; a file without a unit gets this one
   --scale S             multiply by S, not zero; a negative S also reflects
   --reflect             x to -x, for all three coordinates
   --rotate AX,AY,AZ,DEG turn about an axis through the origin, counterclockwise, by DEG degrees:
@@ -118,8 +134,9 @@ applied in this order:
                         rotation less than 1e-12 away; its quaternion is printed
   --quat W,X,Y,Z        turn by a quaternion, exactly; its length does not matter
   --translate X,Y,Z     move
-  --triangulate         cut facets into triangles; the way out for facets that are not planar
 
+  --lossy               where the format cannot hold it all (holes, marks, pieces of lower
+                        dimension), write the regular part and tell what is left out
   --float               write floats, rounded to nearest, and tell the largest rounding
   --json                one JSON object on standard output
   -q, --quiet           no notes, no summary, no progress bar
@@ -128,5 +145,6 @@ A number may be an integer, a decimal or a fraction p/q. Facets keep their orien
 reflects, they are turned round.
 
 example:
+  splitstar convert cube.stl -o cube.3mf --unit millimeter
   splitstar convert cube.off -o turned.off --scale 1/2 --rotate 0,0,1,30 --translate -1,0,0.5
 ";

@@ -2,15 +2,21 @@
 
 use crate::args::Place;
 use crate::console::Console;
-use crate::failure::Failure;
-use splitstar::formats::{ReadMesh, read_off};
+use crate::failure::{Failure, part_name};
+use splitstar::formats::{self, Complex, ReadModel, Shape};
+use splitstar::polytope::PolygonMesh;
+use std::fs::File;
 use std::io::{self, Read};
+use std::path::Path;
 
 /// A file that was read, with the name that messages give it.
 pub(crate) struct Operand {
     pub(crate) name: String,
-    pub(crate) read: ReadMesh,
+    pub(crate) read: ReadModel,
 }
+
+/// What is read of a stream before it is known whether to read on.
+const START: u64 = 1 << 16;
 
 impl Operand {
     /// Reads and parses a file or standard input.
@@ -20,33 +26,86 @@ impl Operand {
             Place::File(path) => path.to_string_lossy().into_owned(),
         };
         console.step(&format!("reading {name}"));
+        let file_name = match place {
+            Place::Standard => None,
+            Place::File(path) => path.file_name().map(|name| name.to_string_lossy().into_owned()),
+        };
         let bytes = match place {
-            Place::Standard => {
-                let mut bytes = Vec::new();
-                io::stdin().lock().read_to_end(&mut bytes).map(|_| bytes)
-            }
-            Place::File(path) => std::fs::read(path),
-        }
-        .map_err(|error| Failure::file(&name, None, cannot_read(&error)))?;
-        let read = read_off(&bytes).map_err(|error| Failure::file(&name, error.line(), error.sentence()))?;
+            Place::Standard => read_stream(&mut io::stdin().lock(), &name, None)?,
+            Place::File(path) => read_file(path, &name, file_name.as_deref())?,
+        };
+        let read =
+            formats::read(&bytes, file_name.as_deref()).map_err(|error| Failure::read(&name, &error))?;
         console.step_done();
+        let name = part_name(&name, read.places.part.as_deref());
         Ok(Self { name, read })
     }
 
-    /// The failure of this file at a line.
-    pub(crate) fn failure(&self, line: Option<u32>, sentence: impl Into<String>) -> Failure {
-        Failure::file(&self.name, line, sentence)
+    /// Tells what the reader had to leave out.
+    pub(crate) fn tell_notes(&self, console: &Console) {
+        for note in &self.read.notes {
+            console.note(&self.name, None, &note.to_string());
+        }
     }
 
-    /// The line of a facet.
-    pub(crate) fn facet_line(&self, facet: usize) -> Option<u32> {
-        self.read.facet_lines.get(facet).copied()
+    /// The failure of this file at a place.
+    pub(crate) fn failure(&self, place: Option<formats::Place>, sentence: impl Into<String>) -> Failure {
+        Failure::file(&self.name, place, sentence)
     }
 
-    /// The line of a vertex.
-    pub(crate) fn vertex_line(&self, vertex: usize) -> Option<u32> {
-        self.read.vertex_lines.get(vertex).copied()
+    /// The place of a facet.
+    pub(crate) fn facet_place(&self, facet: usize) -> Option<formats::Place> {
+        self.read.places.facets.get(facet)
     }
+
+    /// The place of a vertex.
+    pub(crate) fn vertex_place(&self, vertex: usize) -> Option<formats::Place> {
+        self.read.places.vertices.get(vertex)
+    }
+
+    /// The mesh; a complex of cells is refused, and named what makes it one.
+    pub(crate) fn mesh(&self) -> Result<&PolygonMesh, Failure> {
+        match &self.read.model.shape {
+            Shape::Mesh(mesh) => Ok(mesh),
+            Shape::Complex(complex) => Err(self.failure(None, no_mesh(complex, &self.name))),
+        }
+    }
+}
+
+fn no_mesh(complex: &Complex, name: &str) -> String {
+    let losses = complex.as_mesh().err().unwrap_or_default();
+    let losses: Vec<String> = losses.iter().map(ToString::to_string).collect();
+    format!(
+        "a closed polytope is needed, and the file has {}; `splitstar convert {} -o OUT.off --lossy` writes its regular part, if it has one",
+        losses.join(", and "),
+        name
+    )
+}
+
+/// A file whose size is known is read whole; a pipe or a device like a stream.
+fn read_file(path: &Path, name: &str, file_name: Option<&str>) -> Result<Vec<u8>, Failure> {
+    let failed = |error: io::Error| Failure::file(name, None, cannot_read(&error));
+    let mut file = File::open(path).map_err(failed)?;
+    let metadata = file.metadata().map_err(failed)?;
+    if !metadata.is_file() {
+        return read_stream(&mut file, name, file_name);
+    }
+    // One byte more than there should be: the last read finds the end without making room.
+    let mut bytes = Vec::with_capacity(usize::try_from(metadata.len()).unwrap_or(0).saturating_add(1));
+    file.read_to_end(&mut bytes).map_err(failed)?;
+    Ok(bytes)
+}
+
+/// A stream may have no end: it is read on only if its start may be a file.
+fn read_stream(stream: &mut impl Read, name: &str, file_name: Option<&str>) -> Result<Vec<u8>, Failure> {
+    let failed = |error: io::Error| Failure::file(name, None, cannot_read(&error));
+    let mut bytes = Vec::new();
+    stream.by_ref().take(START).read_to_end(&mut bytes).map_err(failed)?;
+    if bytes.len() as u64 == START {
+        formats::check_start(&bytes, file_name).map_err(|error| Failure::read(name, &error))?;
+        stream.read_to_end(&mut bytes).map_err(failed)?;
+    }
+    Ok(bytes)
 }
 
 fn cannot_read(error: &io::Error) -> String {

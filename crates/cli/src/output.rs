@@ -69,10 +69,12 @@ pub(crate) fn report(text: &str) -> Result<(), Failure> {
 
 fn write_to_stdout(bytes: &[u8]) -> Result<(), Failure> {
     let mut stdout = io::stdout().lock();
-    stdout
-        .write_all(bytes)
-        .and_then(|()| stdout.flush())
-        .map_err(|error| Failure::file("-", None, cannot_write(&error)))
+    stdout.write_all(bytes).and_then(|()| stdout.flush()).map_err(|error| match error.kind() {
+        io::ErrorKind::BrokenPipe => {
+            Failure::file("-", None, "not written: what reads standard output has gone; let it read all")
+        }
+        _ => Failure::file("-", None, cannot_write(&error)),
+    })
 }
 
 enum Target {

@@ -55,6 +55,23 @@ fn bits(values: &[i64; 4]) -> u32 {
     64 - values.iter().fold(0, |all, value| all | value.unsigned_abs()).leading_zeros()
 }
 
+/// A finite float as an odd number times a power of two; (0, 0) for zero.
+#[inline]
+fn dyadic(value: f64) -> (i64, i32) {
+    const FRACTION: u32 = f64::MANTISSA_DIGITS - 1;
+    let bits = value.to_bits();
+    let fraction = (bits & ((1 << FRACTION) - 1)) as i64;
+    // The weight of the last bit.
+    let (digits, exponent) = match ((bits >> FRACTION) & 0x7ff) as i32 {
+        0 if fraction == 0 => return (0, 0),
+        0 => (fraction, -1074),
+        exponent => (fraction | 1 << FRACTION, exponent - 1075),
+    };
+    let even = digits.trailing_zeros();
+    let odd = digits >> even;
+    (if value < 0.0 { -odd } else { odd }, exponent + even as i32)
+}
+
 #[inline(always)]
 fn fits(values: &[i128; 4]) -> bool {
     values.iter().fold(0, |all, value| all | value.unsigned_abs()) >> NARROW_BITS == 0
@@ -86,6 +103,46 @@ impl Point3 {
         let [x, y, z] = [0, 1, 2]
             .map(|axis: usize| coordinates[axis].numerator() * weight.div_exact(&denominators[axis]));
         Self::of_homogeneous([x, y, z, weight])
+    }
+
+    /// Makes the point whose coordinates are these floats, each the dyadic rational that it is; `None` if one is not
+    /// finite.
+    ///
+    /// The weight is the least power of two, so that the point is canonical.
+    ///
+    /// ```
+    /// use exact::Point3;
+    /// let point = Point3::from_f64s([0.75, -2.0, -0.0]).expect("the floats are finite");
+    /// assert_eq!(point.to_string(), "(3/4, -2, 0)");
+    /// assert_eq!(point.weight(), 4.into());
+    /// assert!(Point3::from_f64s([0.0, f64::NAN, 0.0]).is_none());
+    /// ```
+    #[inline]
+    // tidy: pub f64, because a float comes in through an exact conversion
+    pub fn from_f64s(coordinates: [f64; 3]) -> Option<Self> {
+        if !coordinates.iter().all(|value| value.is_finite()) {
+            return None;
+        }
+        let [x, y, z] = coordinates.map(dyadic);
+        let lowest = x.1.min(y.1).min(z.1).min(0);
+        let narrow = |(digits, exponent): (i64, i32)| {
+            let shift = (exponent - lowest) as u32;
+            let bits = 64 - digits.unsigned_abs().leading_zeros();
+            (bits + shift <= NARROW_BITS).then(|| digits << shift)
+        };
+        if lowest > -(NARROW_BITS as i32)
+            && let (Some(x), Some(y), Some(z)) = (narrow(x), narrow(y), narrow(z))
+        {
+            return Some(Self(Repr::Narrow([x, y, z, 1 << -lowest])));
+        }
+        Some(Self::wide_dyadic([x, y, z], lowest))
+    }
+
+    #[cold]
+    fn wide_dyadic(coordinates: [(i64, i32); 3], lowest: i32) -> Self {
+        let [x, y, z] =
+            coordinates.map(|(digits, exponent)| Integer::from(digits) << (exponent - lowest).unsigned_abs());
+        Self::of_homogeneous([x, y, z, Integer::ONE << lowest.unsigned_abs()])
     }
 
     /// The weight must be positive.

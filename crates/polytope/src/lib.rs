@@ -3,8 +3,8 @@
 //! | module | what it does |
 //! |---|---|
 //! | `polytope`, `measure`, `validity` | the halfedge polytope, its volume, what it promises |
-//! | `polygon_mesh`, `facets`, `mesh` | meshes as files have them, and the way from them to polytopes |
-//! | `triangulate` | facets cut into triangles |
+//! | `polygon_mesh`, `facets`, `mesh` | meshes as files have them: mended, and the way from them to polytopes |
+//! | `triangulate` | facets cut into triangles, with holes or without |
 //! | `hull` | the convex hull of any finite point set |
 //! | `overlay`, `sum` | the Minkowski sum by the overlay of Gaussian maps |
 
@@ -27,12 +27,12 @@ mod vectors;
 
 pub use facets::Facets;
 pub use measure::Bounds;
-pub use mesh::{MeshError, MeshSummary, Note, hull_depth};
+pub use mesh::{Hole, Mended, Mending, MeshError, MeshSummary, Note, corner_off_plane, hull_depth};
 pub use overlay::OverlayCounts;
 pub use polygon_mesh::PolygonMesh;
 pub use polytope::{Counts, Polytope, convex_hull};
 pub use sum::{minkowski_sum, minkowski_sum_by_hull, overlay_counts};
-pub use triangulate::TriangulateError;
+pub use triangulate::{HoleError, TriangulateError, triangulate_with_holes};
 pub use validity::Violation;
 
 pub use dcel::{Defect, FacetId, HalfedgeId, Mesh, VertexId};

@@ -8,7 +8,7 @@
 //! | [`exact`] | integers, rationals, vectors, points, planes, rotations, predicates |
 //! | [`dcel`] | halfedge connectivity: what is next to what |
 //! | [`polytope`] | polytopes and meshes, convex hulls, Minkowski sums |
-//! | [`formats`] | OFF text, read and written exactly |
+//! | [`formats`] | files of models (OFF, OBJ, STL, PLY, 3MF, VRML, glTF, star), read and written |
 //!
 //! # A convex hull
 //!
@@ -49,20 +49,22 @@
 //!
 //! # Reading and writing
 //!
-//! Libraries take and give text; where it comes from is the business of the program. `0.1` is one tenth.
+//! Libraries take and give bytes; where they come from is the business of the program. The format is found by the
+//! content. `0.1` in a text is one tenth.
 //!
 //! ```
 //! use splitstar::prelude::*;
 //!
-//! let read = read_off(b"OFF\n4 1 4\n0 0 0\n0.1 0 0\n0.1 1/3 0\n0 1/3 0\n4 0 1 2 3\n")?;
+//! let read = formats::read(b"OFF\n4 1 4\n0 0 0\n0.1 0 0\n0.1 1/3 0\n0 1/3 0\n4 0 1 2 3\n", None)?;
 //! let mut notes = Vec::new(); // what had to be mended: nothing here
-//! let rectangle = Polytope::from_mesh(&read.mesh, &mut notes)?;
+//! let mesh = read.model.shape.into_mesh().expect("what OFF can say is a mesh");
+//! let rectangle = Polytope::from_mesh(&mesh, &mut notes)?;
 //! let up = Polytope::segment(Point3::ORIGIN, Point3::from_i64([0, 0, 2]));
 //!
 //! let block = minkowski_sum(&[&rectangle, &up]);
 //! assert_eq!(block.volume().to_string(), "1/15");
-//! let (text, _) = write_off(&block.to_mesh(), &WriteOptions::default())?;
-//! assert!(text.starts_with(b"OFF\n8 6 12\n"));
+//! let written = formats::write(&Model::of_mesh(block.to_mesh()), &WriteOptions::new(Format::Off))?;
+//! assert!(written.bytes.starts_with(b"OFF\n8 6 12\n"));
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
@@ -88,9 +90,9 @@ pub use {dcel, exact, formats, polytope};
 /// ```
 pub mod prelude {
     pub use exact::{Affine3, Integer, Plane, Point3, Quaternion, Rational, Sign, Vector3};
-    pub use formats::{Coordinates, ReadError, WriteOptions, read_off, write_off};
+    pub use formats::{self, Format, Model, Object, ReadError, Shape, Unit, WriteOptions};
     pub use polytope::{
-        Bounds, Counts, FacetId, Facets, HalfedgeId, MeshError, Note, PolygonMesh, Polytope, VertexId,
-        convex_hull, minkowski_sum,
+        Bounds, Counts, FacetId, Facets, HalfedgeId, Mended, Mending, MeshError, MeshSummary, Note,
+        PolygonMesh, Polytope, VertexId, convex_hull, minkowski_sum,
     };
 }

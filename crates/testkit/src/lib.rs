@@ -32,4 +32,4 @@ pub use hulls::{
 pub use meshes::{cube_mesh, fan_triangulated, mesh, soup, stl_like_mesh};
 pub use models::{SumRow, expected, model, model_mesh, model_names, repository};
 pub use motions::{quaternion, random_rotation, rotation, scaling, translation};
-pub use random::Rng;
+pub use random::{Rng, mutate};

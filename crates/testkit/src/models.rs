@@ -18,7 +18,8 @@ pub fn repository() -> PathBuf {
 pub fn model_mesh(path: &str) -> PolygonMesh {
     let bytes = std::fs::read(repository().join("models").join(path));
     let bytes = bytes.unwrap_or_else(|error| panic!("models/{path}: {error}"));
-    formats::read_off(&bytes).unwrap_or_else(|error| panic!("models/{path}: {error}")).mesh
+    let read = formats::read(&bytes, None).unwrap_or_else(|error| panic!("models/{path}: {error}"));
+    read.model.shape.into_mesh().expect("an OFF file has a mesh")
 }
 
 /// Reads a convex model that needs no mending.

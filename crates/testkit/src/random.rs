@@ -42,6 +42,11 @@ impl Rng {
         self.bits() % bound
     }
 
+    /// An index below `bound`, or 0.
+    pub fn index(&mut self, bound: usize) -> usize {
+        (self.bits() % bound.max(1) as u64) as usize
+    }
+
     /// A number from `-range` to `range`.
     pub fn within(&mut self, range: i64) -> i64 {
         self.below(2 * range.unsigned_abs() + 1) as i64 - range
@@ -73,5 +78,34 @@ impl Rng {
         for i in (1..items.len()).rev() {
             items.swap(i, self.below(i as u64 + 1) as usize);
         }
+    }
+}
+
+/// Changes a file at a random place: a bit, a byte, a word of `splices` put in or written over what is there, a piece left
+/// out, said twice, or all that follows cut off.
+pub fn mutate(file: &mut Vec<u8>, splices: &[&[u8]], rng: &mut Rng) {
+    let at = rng.index(file.len() + 1);
+    let end = (at + rng.index(40)).min(file.len());
+    let splice = rng.choose(splices).iter().copied();
+    match rng.below(8) {
+        0 if at < file.len() => file[at] ^= 1 << rng.below(8),
+        1 if at < file.len() => file[at] = rng.bits() as u8,
+        2 => drop(file.splice(at..at, splice)),
+        3 => drop(file.splice(at..end, splice)),
+        4 => {
+            // Over a whole word.
+            let is_blank = |byte: &u8| byte.is_ascii_whitespace();
+            let end = file[at..].iter().position(is_blank).map_or(file.len(), |length| at + length);
+            let start = file[..at].iter().rposition(is_blank).map_or(0, |before| before + 1);
+            drop(file.splice(start..end, splice));
+        }
+        5 => drop(file.drain(at..end)),
+        6 => {
+            let copy = file[at..end].to_vec();
+            let to = rng.index(file.len() + 1);
+            drop(file.splice(to..to, copy));
+        }
+        _ if rng.one_in(8) => file.truncate(at),
+        _ => {}
     }
 }

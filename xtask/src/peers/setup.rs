@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use std::process::Command;
 
 use super::pairs::{Method, Pair};
-use crate::{Failure, shell};
+use crate::{Failure, python, shell};
 
 /// The peers that can run on this machine, and why the others cannot.
 #[derive(Debug)]
@@ -62,21 +62,8 @@ fn cgal() -> Result<PathBuf, Failure> {
     Ok(build)
 }
 
-/// A virtual environment with the pinned packages; made again when the pins change.
 fn python() -> Result<PathBuf, Failure> {
-    let folder = shell::root().join("peers/venv");
-    let python = folder.join("bin/python");
-    let pins = shell::root().join("peers/float/requirements.txt");
-    let (stamp, wanted) = (folder.join("installed.txt"), fs::read_to_string(&pins)?);
-    if fs::read_to_string(&stamp).is_ok_and(|installed| installed == wanted) {
-        return Ok(python);
-    }
-    println!("making the Python environment ...");
-    shell::output(shell::program("python3").args(["-m", "venv"]).arg(&folder))?;
-    let install = ["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement"];
-    shell::output(shell::program(&python).args(install).arg(&pins))?;
-    fs::write(stamp, wanted)?;
-    Ok(python)
+    python::environment("peers/venv", "peers/float/requirements.txt")
 }
 
 /// Writes the operands that are made by formula.

@@ -1,10 +1,11 @@
 //! `splitstar sum`.
 
-use super::{Job, Outcome, Shape, used_points};
+use super::convert::triangulated;
+use super::{Job, Outcome, used_points};
 use crate::approx::approx_root;
 use crate::args::{Method, Run};
 use crate::console::Console;
-use crate::explain::mesh_error;
+use crate::explain::{mesh_error, triangles_error};
 use crate::failure::Failure;
 use crate::input::Operand;
 use splitstar::polytope::{
@@ -13,10 +14,11 @@ use splitstar::polytope::{
 
 pub(crate) fn sum(run: &Run) -> Result<(), Failure> {
     let job = Job::start(run)?;
+    let unit = job.unit()?;
     let summands = job
         .operands
         .iter()
-        .map(|operand| summand(operand, run.hull, &job.console))
+        .map(|operand| summand(operand, run, &job.console))
         .collect::<Result<Vec<_>, _>>()?;
     let summands: Vec<&Polytope> = summands.iter().collect();
     if run.method == Method::Hull {
@@ -26,7 +28,7 @@ pub(crate) fn sum(run: &Run) -> Result<(), Failure> {
         Method::Overlay => (minkowski_sum(&summands), "overlay"),
         Method::Hull => (minkowski_sum_by_hull(&summands), "hull"),
     };
-    job.finish(&Outcome { shape: Shape::Polytope(polytope), method, quaternion: None })
+    job.finish(&Outcome::of_polytope(polytope, unit, method))
 }
 
 /// The convex hull takes fewer points than this.
@@ -64,18 +66,21 @@ fn too_many_sums(a: usize, b: usize) -> bool {
     a as u128 * b as u128 >= HULL_POINTS
 }
 
-/// The polytope of a file; of a file that is not convex its hull, if that is wanted.
-fn summand(operand: &Operand, take_hull: bool, console: &Console) -> Result<Polytope, Failure> {
+/// The polytope of a file, cut into triangles if that is wanted; of a file that is not convex its hull, if that is wanted.
+fn summand(operand: &Operand, run: &Run, console: &Console) -> Result<Polytope, Failure> {
+    let filed = operand.mesh()?;
+    let triangles = run.triangulate.then(|| triangulated(filed, operand)).transpose()?;
+    let mesh = triangles.as_ref().unwrap_or(filed);
     let mut notes = Vec::new();
-    match Polytope::from_mesh(&operand.read.mesh, &mut notes) {
+    match Polytope::from_mesh(mesh, &mut notes) {
         Ok(polytope) => {
             for note in notes {
                 console.note(&operand.name, None, &note.to_string());
             }
             Ok(polytope)
         }
-        Err(_) if take_hull => {
-            let points = used_points(&operand.read.mesh);
+        Err(_) if run.hull => {
+            let points = used_points(mesh);
             let hull = convex_hull(&points).expect("a mesh that was read has a vertex");
             // The depth may take long where there are many points and facets: only if somebody reads it.
             if console.speaks() {
@@ -90,8 +95,11 @@ fn summand(operand: &Operand, take_hull: bool, console: &Console) -> Result<Poly
             Ok(hull)
         }
         Err(error) => {
-            let (line, what) = mesh_error(&error, operand);
-            Err(operand.failure(line, format!("{what}; {}", way_out(&error))))
+            let (place, what) = match &triangles {
+                Some(_) => triangles_error(&error, operand, filed),
+                None => mesh_error(&error, operand),
+            };
+            Err(operand.failure(place, format!("{what}; {}", way_out(&error))))
         }
     }
 }
@@ -99,7 +107,7 @@ fn summand(operand: &Operand, take_hull: bool, console: &Console) -> Result<Poly
 fn way_out(error: &MeshError) -> &'static str {
     match error {
         MeshError::NonPlanar { .. } => {
-            "`splitstar convert --triangulate` cuts it into triangles, and --hull takes the convex hull instead"
+            "--triangulate cuts it into triangles, and --hull takes the convex hull instead"
         }
         _ => "--hull takes the convex hull instead",
     }

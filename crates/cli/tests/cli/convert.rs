@@ -3,11 +3,16 @@
 use crate::{Folder, counts, model, run};
 use serde_json::json;
 use splitstar::exact::Point3;
-use splitstar::formats::read_off;
+use splitstar::formats;
+use splitstar::polytope::PolygonMesh;
 use std::fs;
 
+fn mesh(path: &str) -> PolygonMesh {
+    formats::read(&fs::read(path).unwrap(), None).unwrap().model.shape.into_mesh().unwrap()
+}
+
 fn points(path: &str) -> Vec<Point3> {
-    read_off(&fs::read(path).unwrap()).unwrap().mesh.points
+    mesh(path).points
 }
 
 #[test]
@@ -17,10 +22,9 @@ fn without_options_nothing_changes() {
     {
         let file = model(name);
         run(&["convert", &file, "-o", &folder.path("out.off")]).ok();
-        let [before, after] =
-            [&file, &folder.path("out.off")].map(|path| read_off(&fs::read(path).unwrap()).unwrap());
-        assert_eq!(before.mesh.points, after.mesh.points, "{name}");
-        assert_eq!(before.mesh.facets, after.mesh.facets, "{name}");
+        let [before, after] = [&file, &folder.path("out.off")].map(|path| mesh(path));
+        assert_eq!(before.points, after.points, "{name}");
+        assert_eq!(before.facets, after.facets, "{name}");
     }
 }
 
@@ -111,7 +115,7 @@ fn triangles_cover_the_same_surface() {
         for key in ["vertices", "edges", "facets", "genus", "volume", "closed", "convex", "components"] {
             assert_eq!(after[key], before[key], "{name}: {key}");
         }
-        let mesh = read_off(&fs::read(&out).unwrap()).unwrap().mesh;
+        let mesh = mesh(&out);
         assert!(mesh.facets.iter().all(|cycle| cycle.len() == 3), "{name}");
     }
 }

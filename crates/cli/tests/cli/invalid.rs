@@ -1,4 +1,4 @@
-//! `models/invalid/EXPECTED.md`, row by row, for `sum` and for `hull`.
+//! `models/invalid/EXPECTED.md`, row by row, for every verb.
 
 use crate::{Folder, counts, finish, model, program, run};
 use std::fs;
@@ -146,17 +146,113 @@ fn hull_of_every_broken_file() {
     }
 }
 
+/// What is a note of `info` is the error of `sum`, or its note, at the same place.
 #[test]
 fn info_describes_what_parses() {
-    for (name, _, hull) in ROWS {
-        let run = run(&["info", &model(&format!("invalid/{name}")), "--json"]);
-        if hull.is_some() {
-            run.json();
-        } else {
-            run.error(1);
+    let folder = Folder::new("invalid_info");
+    for (name, sum, hull) in ROWS {
+        let file = model(&format!("invalid/{name}"));
+        let run = run(&["info", &file, "--json"]);
+        if hull.is_none() {
+            check(name, &file, sum, run, &folder);
+            continue;
+        }
+        let (start, words) = match sum {
+            Error(line, words) => (format!("note: {file}:{line}: "), words),
+            Result(_, words) => (format!("note: {file}: "), words),
+        };
+        // What to do is said by verbs that need it done.
+        let words: Vec<_> = words.iter().filter(|word| !word.starts_with("--")).collect();
+        let is_it = |note: &&str| note.starts_with(&start) && words.iter().all(|word| note.contains(**word));
+        assert_eq!(run.notes().iter().any(is_it), !words.is_empty(), "{name}: {}", run.stderr);
+        run.json();
+    }
+}
+
+/// File, note of `convert`, and vertices and facets: as they are, cut into triangles, joined.
+const CONVERTED: &[(&str, &str, [[u64; 2]; 3])] = &[
+    ("open_mesh.off", "", [[8, 5], [8, 10], [8, 5]]),
+    ("flipped_facet.off", "", CONVERTED_CUBE),
+    ("inside_out.off", TURNED, CONVERTED_CUBE),
+    // Refused, unless it is cut into triangles.
+    ("non_planar_quad.off", "", [[0, 0], [8, 12], [0, 0]]),
+    ("duplicate_vertex_unused.off", "1 unused vertex dropped", CONVERTED_CUBE),
+    ("facet_soup.off", "24 vertices welded to 8 at equal positions", CONVERTED_CUBE),
+    ("self_intersecting.off", TURNED, [[6, 8]; 3]),
+    ("overlapping_shells.off", "", [[16, 12], [16, 24], [16, 12]]),
+    ("huge_exponent.off", "", CONVERTED_CUBE),
+    ("zero_area_facet.off", "", [[5, 6], [5, 6], [4, 4]]),
+    ("zero_facets.off", "", [[8, 0]; 3]),
+    ("flat.off", "", [[3, 2]; 3]),
+    ("non_manifold_edge.off", "", [[14, 12], [14, 24], [14, 12]]),
+    ("non_manifold_vertex.off", "", [[15, 12], [15, 24], [15, 12]]),
+];
+
+const CONVERTED_CUBE: [[u64; 2]; 3] = [[8, 6], [8, 12], [8, 6]];
+const TURNED: &str = "the mesh is inside out; its facets were turned round";
+
+#[test]
+fn convert_of_every_broken_file() {
+    let folder = Folder::new("invalid_convert");
+    for (name, sum, hull) in ROWS {
+        let file = model(&format!("invalid/{name}"));
+        let converted = CONVERTED.iter().find(|row| row.0 == *name);
+        assert_eq!(converted.is_some(), hull.is_some(), "{name}");
+        for (which, option) in ["", "--triangulate", "--join"].into_iter().enumerate() {
+            for ending in ["off", "stl", "star"] {
+                let out = folder.path(&format!("out.{ending}"));
+                let mut words = vec!["convert", &file, "-o", &out, "--json"];
+                words.extend((!option.is_empty()).then_some(option));
+                let run = run(&words);
+                let case = format!("{name} {option} to {ending}");
+                let Some(&(_, note, counts)) = converted else {
+                    check(&case, &file, sum, run, &folder);
+                    continue;
+                };
+                let [vertices, facets] = counts[which];
+                let refused = match (*name, ending) {
+                    ("non_planar_quad.off", _) if vertices == 0 => Some(NOT_PLANAR.replace("FILE", &file)),
+                    ("huge_exponent.off", "stl") => Some(format!("{out}: not written: {NO_FLOAT}")),
+                    ("zero_facets.off", "stl") => Some(format!("{out}: not written: {NO_FACETS}")),
+                    _ => None,
+                };
+                if let Some(message) = refused {
+                    assert_eq!(run.error(1), format!("error: {message}"), "{case}");
+                    assert_eq!(folder.names(), [""; 0], "{case}");
+                    continue;
+                }
+                let mut notes = Vec::new();
+                if !note.is_empty() {
+                    notes.push(format!("note: {file}: {note}"));
+                }
+                if *name == "zero_area_facet.off" && option == "--join" {
+                    notes.push(format!("note: {file}: {JOINED}"));
+                }
+                let triangles = converted.unwrap().2[1][1];
+                let cut = ending == "stl" && facets < triangles && facets > 4;
+                if cut {
+                    let what = format!("the format has triangles only: {facets} facets cut into {triangles}");
+                    notes.push(format!("note: {out}: {what}"));
+                }
+                assert_eq!(run.stderr.lines().collect::<Vec<_>>(), notes, "{case}");
+                run.json();
+                // What was written is read, and is what was converted.
+                let filed = crate::run(&["info", &out, "--json"]).json()["filed"].clone();
+                let facets = if cut { triangles } else { facets };
+                assert_eq!(filed, serde_json::json!({"vertices": vertices, "facets": facets}), "{case}");
+                fs::remove_file(&out).unwrap();
+            }
         }
     }
 }
+
+const JOINED: &str = "coplanar facets and collinear edges joined: 6 facets and 5 vertices became 4 and 4";
+const NOT_PLANAR: &str = "FILE:12: the facet is not planar: vertex 7 (line 10) lies 0.894427 off the plane of its \
+                          first corners; the square of this distance is 4/5; --triangulate cuts it into triangles";
+const NO_FLOAT: &str = "vertex 1 has a coordinate beyond the largest float; write OFF or star with exact \
+                        coordinates, or scale down";
+const NO_FACETS: &str =
+    "STL has facets only, and there is none of three vertices; write OFF, OBJ, PLY or star";
 
 #[test]
 fn the_huge_cube_is_exact() {

@@ -4,7 +4,13 @@
 #![allow(clippy::unwrap_used)]
 
 mod convert;
+mod damaged;
+mod defects;
+mod encode;
+mod formats;
 mod invalid;
+#[cfg(target_os = "linux")]
+mod memory;
 mod results;
 mod streams;
 mod usage;

@@ -26,6 +26,8 @@ const FACTS: [&str; 10] = [
     "volume",
     "bounds",
 ];
+/// What a file says beside its cells.
+const FILE: [&str; 3] = ["format", "unit", "objects"];
 
 #[test]
 fn sums_by_both_methods_in_both_orders() {
@@ -72,12 +74,14 @@ fn json_of_info() {
     let run = run(&["info", &model("nonconvex/ring.off"), "--json"]);
     let mut expected = FACTS.to_vec();
     expected.insert(3, "filed");
+    expected.splice(4..4, FILE);
     order(&run.stdout, &expected);
     let object = run.json();
     expected.sort_unstable();
     assert_eq!(keys(&object), expected);
     let facts = json!({
         "vertices": 16, "edges": 24, "facets": 10, "filed": {"vertices": 24, "facets": 16},
+        "format": "off", "unit": null, "objects": [],
         "dimension": 3, "convex": false, "closed": true, "components": 1, "genus": [1], "volume": "8",
         "bounds": {"min": ["0", "0", "0"], "max": ["3", "3", "1"]}
     });
@@ -111,11 +115,11 @@ fn json_of_info_on_other_meshes() {
 fn json_of_results() {
     let folder = Folder::new("json");
     let [cube, odp, out] = [model("convex/cube.off"), model("convex/odp.xoff"), folder.path("out.off")];
-    let made = ["method", "width_bits", "seconds"];
+    let made = ["method", "width_bits", "rounding", "seconds"];
     for words in [&["sum", &cube, &odp][..], &["hull", &odp], &["convert", &odp]] {
         let run = run(&[words, &["-o", &out, "--json"]].concat());
         assert_eq!(run.stderr, "");
-        let expected = [&FACTS[..], &made].concat();
+        let expected = [&FACTS[..3], &FILE, &FACTS[3..], &made].concat();
         order(&run.stdout, &expected);
         let object = run.json();
         assert_eq!(object.as_object().unwrap().len(), expected.len(), "{object}");
@@ -202,6 +206,7 @@ fn the_table_of_info() {
     let run = run(&["info", &model("convex/odp_exact90.off")]);
     assert_eq!(run.stderr, "");
     let expected = "\
+format      off
 vertices    17
 edges       32
 facets      17
@@ -223,13 +228,14 @@ fn floats_tell_their_rounding() {
     let [odp, cube] = [model("convex/odp.xoff"), model("convex/cube.off")];
     let [exact, float] = ["exact.off", "float.off"].map(|name| folder.path(name));
     let run_float = run(&["sum", &odp, &cube, "-o", &float, "--float", "--json"]);
-    assert_eq!(run_float.notes().len(), 1);
+    assert_eq!(run_float.notes().len(), 2);
+    assert!(run_float.notes()[1].contains("not planar any more"), "{}", run_float.stderr);
     assert!(run_float.stderr.contains("the largest rounding is "), "{}", run_float.stderr);
     let object = run_float.json();
     let (p, q) = object["rounding"].as_str().unwrap().split_once('/').unwrap();
     let rounding = p.parse::<f64>().unwrap() / q.parse::<f64>().unwrap();
-    // Coordinates are below 2^14: half a unit in the last place is at most 2^-40.
-    assert!(rounding > 0.0 && rounding <= 2.0_f64.powi(-40), "{rounding}");
+    // Coordinates are below 2^14: half a unit in the last place is at most 2^-40, and the decimal is as near to the double.
+    assert!(rounding > 0.0 && rounding <= 2.0_f64.powi(-39), "{rounding}");
     run(&["sum", &odp, &cube, "-o", &exact]).ok();
     let [exact, float] = [exact, float].map(|path| fs::read_to_string(path).unwrap());
     for (exact, float) in exact.lines().skip(2).zip(float.lines().skip(2)) {

@@ -177,3 +177,66 @@ fn an_adder_adds_whatever_came_before() {
         assert_eq!(p.plus(&q), sum);
     }
 }
+
+#[test]
+fn points_of_floats_are_exact_and_canonical() {
+    let tiny = f64::from_bits(1);
+    let (large, limit) = ((1_u64 << 53) as f64, (1_u64 << 60) as f64);
+    // Whether the point is narrow.
+    let rows = [
+        ([0.0, 0.0, -0.0], true),
+        ([1.0, -2.0, 3.0], true),
+        ([2.0, 4.0, -8.0], true),
+        ([0.1, -0.25, 1e3], false),
+        ([0.1, 0.1, -0.2], true),
+        ([f64::from(0.1_f32), f64::from(-1e3_f32), f64::from(1.0e-3_f32)], true),
+        ([large - 1.0, 1.0 / 128.0, -0.0], true),
+        ([large - 1.0, 1.0 / 256.0, 0.0], true),
+        ([large - 1.0, 1.0 / 512.0, 0.0], false),
+        ([limit, -limit, 1.0], true),
+        ([2.0 * limit - 256.0, 0.0, 1.0], true),
+        ([2.0 * limit, 0.0, 0.0], false),
+        ([-2.0 * limit, 0.0, 0.0], false),
+        ([1.0 / limit, -1.0, 0.0], true),
+        ([1.0 / limit, 2.0, 0.0], false),
+        ([0.5 / limit, 0.0, 0.0], false),
+        ([tiny, -tiny, 0.0], false),
+        ([f64::MIN_POSITIVE, 1.0, 0.0], false),
+        ([f64::MAX, f64::MIN, tiny], false),
+        ([1e300, 1e300, 1e300], false),
+    ];
+    for (floats, narrow) in rows {
+        let point = Point3::from_f64s(floats).unwrap();
+        let expected = Point3::from_rationals(&floats.map(|value| Rational::try_from(value).unwrap()));
+        assert_eq!(point.homogeneous(), expected.homogeneous(), "{floats:?}");
+        assert_eq!(point.homogeneous(), point.canonical().homogeneous(), "{floats:?}");
+        assert_eq!(point.as_narrow().is_some(), narrow, "{floats:?}");
+    }
+    for not_finite in [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+        for axis in 0..3 {
+            let mut floats = [0.0, 1.5, tiny];
+            floats[axis] = not_finite;
+            assert!(Point3::from_f64s(floats).is_none());
+        }
+    }
+}
+
+#[test]
+fn points_of_generated_floats_agree_with_rationals() {
+    let mut random = Random::new(17);
+    let mut narrow = 0;
+    for round in 0..3_000_u64 {
+        // Exponents around zero, and all of them.
+        let floats = [(); 3].map(|()| {
+            let exponent = if round % 4 == 0 { random.below(2047) } else { 1023 - 30 + random.below(60) };
+            let digits = (random.next() >> 12) & (u64::MAX << random.below(53));
+            f64::from_bits(random.below(2) << 63 | exponent << 52 | digits)
+        });
+        let point = Point3::from_f64s(floats).unwrap();
+        let expected = Point3::from_rationals(&floats.map(|value| Rational::try_from(value).unwrap()));
+        assert_eq!(point.homogeneous(), expected.homogeneous(), "{floats:?}");
+        assert_eq!(point.approx_f64(), floats.map(|value| value + 0.0), "{floats:?}");
+        narrow += u32::from(point.as_narrow().is_some());
+    }
+    assert!((100..2_900).contains(&narrow), "{narrow}");
+}

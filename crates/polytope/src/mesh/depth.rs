@@ -1,6 +1,6 @@
 //! How far inside its convex hull a mesh goes.
 
-use super::strict::squared_distance;
+use super::shape::squared_distance;
 use crate::Polytope;
 use dcel::FacetId;
 use exact::{Point3, Rational, Vector3};

@@ -118,6 +118,11 @@ pub enum Note {
         /// The number of distinct positions.
         to: usize,
     },
+    /// Facets were dropped that had fewer than three different vertices, perhaps only after these were welded.
+    Collapsed {
+        /// How many.
+        facets: usize,
+    },
     /// Vertices on no facet were dropped.
     Unused {
         /// How many.
@@ -144,18 +149,35 @@ pub enum Note {
 impl fmt::Display for Note {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::Welded { from, to } => write!(f, "{from} vertices welded to {to} at equal positions"),
-            Self::Unused { vertices: 1 } => write!(f, "1 unused vertex dropped"),
-            Self::Unused { vertices } => write!(f, "{vertices} unused vertices dropped"),
+            Self::Welded { from, to } => {
+                let positions = if *to == 1 { "one position" } else { "equal positions" };
+                write!(f, "{from} vertices welded to {to} at {positions}")
+            }
+            Self::Collapsed { facets } => {
+                let (facets, have) =
+                    (counted(*facets, "facet", "facets"), if *facets == 1 { "has" } else { "have" });
+                write!(f, "{facets} dropped that {have} fewer than three different vertices")
+            }
+            Self::Unused { vertices } => {
+                write!(f, "{} dropped", counted(*vertices, "unused vertex", "unused vertices"))
+            }
             Self::TurnedInsideOut => write!(f, "the mesh is inside out; its facets were turned round"),
-            Self::Joined { from: [v, n], to: [w, m] } => write!(
-                f,
-                "coplanar facets and collinear edges joined: {n} facets and {v} vertices became {m} and {w}"
-            ),
+            Self::Joined { from: [v, n], to: [w, m] } => {
+                let [facets, vertices] = [counted(*n, "facet", "facets"), counted(*v, "vertex", "vertices")];
+                write!(
+                    f,
+                    "coplanar facets and collinear edges joined: {facets} and {vertices} became {m} and {w}"
+                )
+            }
             Self::PointSet => write!(f, "no facets: read as a point set, its convex hull is taken"),
             Self::Flat { dimension } => {
                 write!(f, "the surface encloses no volume: read as a polytope of dimension {dimension}")
             }
         }
     }
+}
+
+/// A number of things, with the word for one or for several.
+fn counted(number: usize, one: &str, several: &str) -> String {
+    format!("{number} {}", if number == 1 { one } else { several })
 }

@@ -4,16 +4,29 @@
 //! where facets are coplanar or degenerate, the convex hull of its vertices is taken and the mesh is
 //! compared with it: if every facet lies on the boundary of the hull, turned outwards, and the volumes
 //! agree, the surface covers that boundary exactly once, and the hull is the polytope.
+//!
+//! A mesh that is to stay a mesh, of any shape, is mended by [`mend`], and its flat edges are joined by [`join`].
 
 mod depth;
+mod edges;
 mod error;
 mod flat;
+mod join;
+mod mend;
+mod planar;
+mod positions;
+mod shape;
+mod slack;
 mod strict;
 mod summary;
 mod weld;
 
+pub(crate) use shape::squared_distance;
+
 pub use depth::hull_depth;
 pub use error::{MeshError, Note};
+pub use mend::{Hole, Mended, Mending};
+pub use planar::corner_off_plane;
 pub use summary::MeshSummary;
 
 use crate::measure::signed_volume;
@@ -67,28 +80,13 @@ impl Polytope {
         if mesh.facets.len() == 1 && !edges_only {
             return from_polygon(mesh, notes);
         }
-        let mut compact = Compact::new(mesh);
-        if compact.unused > 0 {
-            notes.push(Note::Unused { vertices: compact.unused });
-        }
+        let mut compact = Compact::new(mesh, notes);
         if edges_only {
             return flat::segment(&compact, notes);
         }
-        if let Some(f) = mesh.facets.iter().position(|corners| corners.len() < 3) {
-            return Err(MeshError::LooseEdge { facet: f as u32 });
-        }
-        let halfedges = match closed(&compact) {
-            Ok(halfedges) => halfedges,
-            Err(_) => {
-                // Not closed by its indices: by its positions perhaps.
-                let welded = compact.weld();
-                if welded.points.len() < compact.points.len() {
-                    notes.push(Note::Welded { from: compact.points.len(), to: welded.points.len() });
-                }
-                compact = welded;
-                closed(&compact).map_err(|defect| MeshError::NotClosed(named(defect, &compact)))?
-            }
-        };
+        check_loose(mesh)?;
+        let halfedges =
+            compact.close(3, notes).map_err(|defect| MeshError::NotClosed(named(defect, &compact)))?;
         Check { mesh: halfedges, compact, notes }.polytope()
     }
 }
@@ -103,6 +101,14 @@ fn check_corners(mesh: &PolygonMesh) -> Result<(), MeshError> {
     let found = mesh.facets.iter().enumerate().find_map(|(f, c)| Some((f, *c.iter().find(|v| bad(v))?)));
     let (facet, index) = found.expect("one of the corners is no vertex");
     Err(MeshError::NoSuchVertex { facet: facet as u32, index })
+}
+
+/// There must be no facet of two vertices.
+fn check_loose(mesh: &PolygonMesh) -> Result<(), MeshError> {
+    match mesh.facets.iter().position(|corners| corners.len() < 3) {
+        Some(f) => Err(MeshError::LooseEdge { facet: f as u32 }),
+        None => Ok(()),
+    }
 }
 
 fn closed(compact: &Compact) -> Result<Mesh, Defect> {

@@ -1,8 +1,8 @@
 //! The fast check: is a mesh, as it stands, the boundary of a convex polytope?
 
 use super::error::MeshError;
-use crate::measure::twice_area;
-use crate::polytope::{corner_normal, edge_vectors, nonzero_axis};
+use super::shape::Shape;
+use crate::polytope::{corner_normal, edge_vectors};
 use crate::vectors::VectorList;
 use dcel::{HalfedgeId, Mesh};
 use exact::{Integer, Point3, Rational, Sign, Vector3, predicate};
@@ -41,39 +41,32 @@ impl<'m> Surface<'m> {
         surface.normals.reserve(mesh.facet_count());
         for f in mesh.facets() {
             let first = mesh.boundary(f);
-            let mut normal = corner_normal(mesh, &surface.edges, first);
-            if mesh.next(mesh.next(mesh.next(first))) != first {
-                normal = surface.polygon_normal(first, normal)?;
-            }
+            let is_triangle = mesh.next(mesh.next(mesh.next(first))) == first;
+            let normal = if is_triangle {
+                corner_normal(mesh, &surface.edges, first)
+            } else {
+                surface.polygon_normal(first)?
+            };
             surface.normals.push(normal);
         }
         Ok(surface)
     }
 
-    /// The normal of a polygon that may be non-convex and have straight corners, and a check that all
-    /// corners lie in its plane.
-    fn polygon_normal(&mut self, first: HalfedgeId, corner: Vector3) -> Result<Vector3, MeshError> {
+    /// The normal of a polygon; zero if its corners are collinear.
+    fn polygon_normal(&mut self, first: HalfedgeId) -> Result<Vector3, MeshError> {
         let mesh = self.mesh;
         let f = mesh.facet(first);
-        let plane = mesh.facet_cycle(f).map(|h| corner_normal(mesh, &self.edges, h)).find(|n| !n.is_zero());
-        let Some(plane) = plane else { return Ok(corner) };
-        let on = &self.points[mesh.source(first).index()];
-        for h in mesh.facet_cycle(f) {
-            let vertex = mesh.target(h);
-            if predicate::plane_side(&plane, on, &self.points[vertex.index()]) != Sign::Zero {
-                let squared_distance = squared_distance(&plane, on, &self.points[vertex.index()]);
-                return Err(MeshError::NonPlanar { facet: f.0, vertex: vertex.0, squared_distance });
+        let cycle: Vec<u32> = mesh.facet_cycle(f).map(|h| mesh.source(h).0).collect();
+        Ok(match Shape::of(self.points, &cycle) {
+            Shape::Plane(plane) => {
+                self.corners_turn_left &= plane.corners_turn_left;
+                plane.normal
             }
-        }
-        // Outwards is the side from which the polygon is counterclockwise: the sign of its area.
-        let axis = nonzero_axis(&plane);
-        let turns_left = |h| corner_normal(mesh, &self.edges, h).sign(axis) == plane.sign(axis);
-        if mesh.facet_cycle(f).all(turns_left) {
-            return Ok(plane);
-        }
-        self.corners_turn_left = false;
-        let cycle: Vec<&Point3> = mesh.facet_cycle(f).map(|h| &self.points[mesh.source(h).index()]).collect();
-        if twice_area(&cycle, axis).sign() == plane.sign(axis) { Ok(plane) } else { Ok(-plane) }
+            Shape::Line | Shape::Edge => Vector3::from_i64([0; 3]),
+            Shape::Bent { vertex, squared_distance } => {
+                return Err(MeshError::NonPlanar { facet: f.0, vertex, squared_distance });
+            }
+        })
     }
 
     /// Sorts the edges by the way they turn. An edge is convex if the next corner of the facet on its
@@ -201,13 +194,4 @@ fn mean(points: &[&Point3; 4], on_grid: bool) -> Point3 {
         let quarter = Rational::new(Integer::from(1), four).expect("four is not zero");
         Point3::from_rationals(&sum.map(|s| s * quarter.clone()))
     }
-}
-
-/// The square of the distance of `p` from the plane through `on` with that normal.
-pub(crate) fn squared_distance(normal: &Vector3, on: &Point3, p: &Point3) -> Rational {
-    let height = (0..3).fold(Rational::from(0), |sum, axis| {
-        sum + (p.coordinate(axis) - on.coordinate(axis)) * Rational::from(normal.coordinate(axis))
-    });
-    let square = height.clone() * height;
-    square.checked_div(&Rational::from(normal.dot(normal))).expect("a normal is not zero")
 }

@@ -1,12 +1,14 @@
 //! Facts about any mesh, convex or not, closed or not.
 
+use super::edges::{EdgeTable, Groups};
+use super::join::join;
 use super::weld::Compact;
-use super::{MeshError, Note, closed};
+use super::{MeshError, Note};
 use crate::measure::{Bounds, signed_volume};
-use crate::{Facets, PolygonMesh, Polytope, convex_hull};
+use crate::{PolygonMesh, Polytope, convex_hull};
 use dcel::Mesh;
-use exact::{Point3, Rational, Sign, Vector3, predicate};
-use std::collections::{HashMap, HashSet};
+use exact::Rational;
+use std::collections::HashSet;
 
 /// What a mesh is.
 #[derive(Clone, Debug)]
@@ -64,38 +66,38 @@ impl MeshSummary {
             Ok(polytope) => return Self::of_polytope(&polytope, notes),
             Err(defect) => defect,
         };
-        let compact = Compact::new(mesh);
+        let mut compact = Compact::new(mesh, &mut Vec::new());
         if mesh.facets.iter().all(|corners| corners.len() == 2) {
             return Self::of_edges(&compact, notes, defect);
         }
-        let mut surface = closed(&compact).ok();
-        let mut welded = compact.weld();
-        if surface.is_none() && welded.points.len() < compact.points.len() {
-            surface = closed(&welded).ok();
-        } else {
-            welded = compact;
-        }
+        let surface = match defect {
+            MeshError::LooseEdge { .. } => None,
+            _ => compact.close(3, &mut Vec::new()).ok(),
+        };
         let (components, genus) = match &surface {
             Some(halfedges) => genera(halfedges),
             None => {
-                let pieces = pieces(&welded.facets);
+                let pieces = EdgeTable::new(compact.points.len(), &compact.facets).pieces();
                 (pieces, vec![None; pieces])
             }
         };
         let planar = !matches!(defect, MeshError::NonPlanar { .. });
         let volume = surface.is_some() && planar;
-        let [vertices, edges, facets] = Merged::new(&welded.points, &welded.facets).counts();
+        let volume = volume.then(|| signed_volume(&compact.points, &compact.facets).abs());
+        let dimension = convex_hull(&compact.points).map(|hull| hull.dimension);
+        let bounds = Bounds::of(&compact.points);
+        let joined = join(compact, None);
         Self {
-            vertices,
-            edges,
-            facets,
-            dimension: convex_hull(&welded.points).map(|hull| hull.dimension),
+            vertices: joined.compact.points.len(),
+            edges: joined.edges(),
+            facets: joined.compact.facets.len(),
+            dimension,
             convex: false,
             closed: surface.is_some(),
             components,
             genus,
-            volume: volume.then(|| signed_volume(&welded.points, &welded.facets).abs()),
-            bounds: Bounds::of(&welded.points),
+            volume,
+            bounds,
             notes,
             defect: Some(defect),
         }
@@ -165,117 +167,4 @@ fn genera(mesh: &Mesh) -> (usize, Vec<Option<u32>>) {
         euler[label[mesh.facet(mesh.outgoing(v)).index()] as usize] += 1;
     }
     (count as usize, euler.into_iter().map(|e| u32::try_from((2 - e) / 2).ok()).collect())
-}
-
-/// The number of pieces of a surface with borders, joined across edges of any number of facets.
-fn pieces(facets: &Facets) -> usize {
-    let mut groups = Groups::new(facets.len());
-    for sides in edge_table(facets).values() {
-        sides.windows(2).for_each(|pair| groups.join(pair[0].0, pair[1].0));
-    }
-    groups.count()
-}
-
-/// For every edge (lower end first) the facets that have it, and whether from the lower end.
-fn edge_table(facets: &Facets) -> HashMap<[u32; 2], Vec<(usize, bool)>> {
-    let mut table: HashMap<[u32; 2], Vec<(usize, bool)>> = HashMap::new();
-    for (f, cycle) in facets.iter().enumerate() {
-        for i in 0..cycle.len() {
-            let (a, b) = (cycle[i], cycle[(i + 1) % cycle.len()]);
-            table.entry([a.min(b), a.max(b)]).or_default().push((f, a < b));
-        }
-    }
-    table
-}
-
-/// The cells that remain when coplanar neighbours and collinear edges are joined.
-struct Merged<'m> {
-    points: &'m [Point3],
-    facets: &'m Facets,
-    normals: Vec<Option<Vector3>>,
-}
-
-impl<'m> Merged<'m> {
-    fn new(points: &'m [Point3], facets: &'m Facets) -> Self {
-        let normal = |cycle: &[u32]| {
-            let corner = |i: usize| &points[cycle[i % cycle.len()] as usize];
-            let side = |i: usize| corner(i).direction_to(corner(i + 1));
-            let cross = |i: usize| side(i).cross(&side(i + 1));
-            // The corner at the lexicographically highest vertex that is not straight is convex.
-            let mut order: Vec<usize> = (0..cycle.len()).collect();
-            order.sort_by(|&i, &j| corner(j + 1).cmp(corner(i + 1)));
-            order.into_iter().map(cross).find(|n| !n.is_zero())
-        };
-        Self { points, facets, normals: facets.iter().map(normal).collect() }
-    }
-
-    fn coplanar(&self, f: usize, g: usize) -> bool {
-        let (Some(m), Some(n)) = (&self.normals[f], &self.normals[g]) else { return true };
-        if !m.cross(n).is_zero() || predicate::same_direction(m, n) != Sign::Positive {
-            return false;
-        }
-        let point = |f: usize| &self.points[self.facets.get(f)[0] as usize];
-        predicate::plane_side(m, point(f), point(g)) == Sign::Zero
-    }
-
-    fn counts(&self) -> [usize; 3] {
-        let mut groups = Groups::new(self.facets.len());
-        let mut left: HashMap<u32, Vec<u32>> = HashMap::new();
-        let mut edges = 0;
-        for v in self.facets.corners() {
-            left.entry(*v).or_default();
-        }
-        for ([a, b], sides) in edge_table(self.facets) {
-            match sides[..] {
-                [(f, up), (g, other)] if up != other && self.coplanar(f, g) => groups.join(f, g),
-                _ => {
-                    edges += 1;
-                    left.entry(a).or_default().push(b);
-                    left.entry(b).or_default().push(a);
-                }
-            }
-        }
-        let mut vertices = 0;
-        for (v, neighbours) in &left {
-            let at = |w: u32| self.points[*v as usize].direction_to(&self.points[w as usize]);
-            match neighbours[..] {
-                [] => {}
-                [a, b] if at(a).cross(&at(b)).is_zero() => edges -= 1,
-                _ => vertices += 1,
-            }
-        }
-        [vertices, edges, groups.count()]
-    }
-}
-
-/// Disjoint sets of facets or vertices.
-struct Groups {
-    parent: Vec<usize>,
-    count: usize,
-}
-
-impl Groups {
-    fn new(size: usize) -> Self {
-        Self { parent: (0..size).collect(), count: size }
-    }
-
-    fn find(&mut self, mut f: usize) -> usize {
-        while self.parent[f] != f {
-            self.parent[f] = self.parent[self.parent[f]];
-            f = self.parent[f];
-        }
-        f
-    }
-
-    fn join(&mut self, f: usize, g: usize) {
-        let (f, g) = (self.find(f), self.find(g));
-        if f != g {
-            self.parent[f] = g;
-            self.count -= 1;
-        }
-    }
-
-    fn count(&self) -> usize {
-        self.count
-    }
 }
