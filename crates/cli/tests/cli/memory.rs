@@ -161,9 +161,9 @@ fn exponents() {
 fn packed_data_that_unpacks_to_much() {
     let folder = Folder::new("memory_packed");
     // Made by the program itself.
-    let packed = |text: &str| {
+    let packed = |text: &str, format: &str| {
         let plain = folder.write("plain.off", text);
-        let out = folder.path("packed.off.gz");
+        let out = folder.path(&format!("packed.{format}"));
         crate::run(&["convert", &plain, "-o", &out, "-q"]).ok();
         let bytes = fs::read(&out).unwrap();
         fs::remove_file(&plain).unwrap();
@@ -172,10 +172,11 @@ fn packed_data_that_unpacks_to_much() {
     };
     for (name, count) in [("facets.off.gz", 500_000), ("more.off.gz", 1_200_000)] {
         let text = format!("OFF\n3 {count} 0\n0 0 0\n1 0 0\n0 1 0\n{}", "3 0 1 2\n".repeat(count));
-        check(&folder, name, &packed(&text));
+        check(&folder, name, &packed(&text, "off.gz"));
+        check(&folder, &name.replace("off", "star"), &packed(&text, "star.gz"));
     }
     let digits = "7".repeat(5000);
-    let bytes = packed(&format!("OFF\n1 0 0\n{digits} {digits} {digits}\n"));
+    let bytes = packed(&format!("OFF\n1 0 0\n{digits} {digits} {digits}\n"), "off.gz");
     check(&folder, "digits.off.gz", &bytes);
     // Members one behind the other are one file.
     check(&folder, "members.off.gz", &bytes.repeat(3000));

@@ -36,6 +36,18 @@ const CORNER_LATER: u64 = 72;
 /// Copies of a point that is not narrow, with the numbers that are written for it.
 const WIDE_LATER: u64 = 4;
 
+/// Reserves what is done with a vertex after it is read; `wide` is what its point takes on the heap.
+#[inline]
+pub(crate) fn reserve_vertex(budget: &mut Budget, wide: u64) -> Result<(), Fault> {
+    budget.reserve(VERTEX_LATER + WIDE_LATER * wide)
+}
+
+/// Reserves what is done with so many corners of facets after they are read.
+#[inline]
+pub(crate) fn reserve_corners(budget: &mut Budget, corners: u64) -> Result<(), Fault> {
+    budget.reserve(CORNER_LATER * corners)
+}
+
 /// What a point takes on the heap when its numbers do not fit into machine words: four numbers with their floats, and
 /// the digits of those that are longer than two words.
 pub(crate) fn wide_bytes(point: &Point3) -> u64 {
@@ -76,7 +88,7 @@ impl<'b> MeshMaker<'b> {
     pub(crate) fn vertex(&mut self, point: Point3, place: Place) -> Result<u32, Fault> {
         let wide = if point.as_narrow().is_some() { 0 } else { wide_bytes(&point) };
         self.budget.charge(VERTEX + GROWTH * self.vertex_places.bytes_each() + wide)?;
-        self.budget.reserve(VERTEX_LATER + WIDE_LATER * wide)?;
+        reserve_vertex(self.budget, wide)?;
         let index = self.vertex_count();
         if index == u32::MAX - 1 {
             return Err(Fault::CountTooLarge {
@@ -96,7 +108,7 @@ impl<'b> MeshMaker<'b> {
         let place_bytes = GROWTH * self.facet_places.bytes_each();
         let corners = cycle.len() as u64;
         self.budget.charge(FACET + place_bytes + CORNER * corners)?;
-        self.budget.reserve(CORNER_LATER * corners)?;
+        reserve_corners(self.budget, corners)?;
         if cycle.len() < 2 {
             return Err(Fault::SmallFacet { size: cycle.len() as u32 });
         }

@@ -2,7 +2,7 @@
 
 use crate::base::budget::Budget;
 use crate::base::error::{Count, Fault, Located};
-use crate::base::maker::wide_bytes;
+use crate::base::maker::{reserve_corners, reserve_vertex, wide_bytes};
 use crate::base::model::Shape;
 use crate::base::places::{Place, PlaceList};
 use crate::complex::{
@@ -100,6 +100,7 @@ impl<'b> Cells<'b> {
             Position::Point(point) if point.as_narrow().is_none() => wide_bytes(point),
             _ => 0,
         };
+        reserve_vertex(self.budget, wide)?;
         match vertex {
             Vertex { position: Position::Point(point), marked: true } if self.complex.is_none() => {
                 self.budget.charge(FLAT_VERTEX + wide)?;
@@ -125,6 +126,7 @@ impl<'b> Cells<'b> {
 
     /// An edge between vertices that there are.
     pub(super) fn edge(&mut self, edge: Edge, place: Place) -> Result<(), Refusal> {
+        reserve_corners(self.budget, 2)?;
         let fits =
             edge.marked && edge.through.is_none() && (self.mesh.facets.is_empty() || self.has_segments());
         if self.complex.is_none() && fits {
@@ -146,6 +148,7 @@ impl<'b> Cells<'b> {
 
     /// A facet between vertices and volumes that there are: its outer cycle, and all the rest of it.
     pub(super) fn facet(&mut self, outer: &[u32], rest: Facet, place: Place) -> Result<(), Refusal> {
+        reserve_corners(self.budget, outer.len() as u64)?;
         let plain = rest.marked && rest.through.is_none() && rest.holes.is_empty();
         let is_first = self.mesh.facets.is_empty();
         let between = match rest.sides {
@@ -177,6 +180,7 @@ impl<'b> Cells<'b> {
 
     /// For a hole of so many vertices.
     pub(super) fn charge_hole(&mut self, size: usize) -> Result<(), Fault> {
+        reserve_corners(self.budget, size as u64)?;
         self.budget.charge(OF_CYCLE + OF_CORNER * size as u64)
     }
 
