@@ -106,7 +106,7 @@ const UNIT: f64 = f64::EPSILON / 2.0;
 /// than all d together. So |value| > t implies that the value has the right sign. Infinite or NaN floats, or an infinite error,
 /// make t infinite or NaN, and the comparison fails.
 #[inline(always)]
-fn side_of_box(p: &Point2, [a, b, c]: [f64; 3]) -> Option<Sign> {
+pub(super) fn side_of_box(p: &Point2, [a, b, c]: [f64; 3]) -> Option<Sign> {
     let [x, y] = p.approx;
     let (ax, by) = (a * x, b * y);
     let value = ax + by - c;
