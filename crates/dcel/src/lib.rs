@@ -16,13 +16,18 @@
 mod build;
 mod dcel;
 mod ids;
+mod maps;
 mod mesh;
 #[cfg(test)]
 mod tests;
 mod validity;
 
 pub use build::{Defect, Edge};
-pub use dcel::{CcbKind, Dcel, Halfedge, RawCcb, RawDcel};
+pub use dcel::{
+    CcbKind, CcbSplit, Compaction, Dcel, DcelViolation, EndFate, FaceList, Halfedge, MergedFaces, RawCcb,
+    RawDcel, Removed, Side,
+};
 pub use ids::{CcbId, EdgeId, FaceId, FacetId, HalfedgeId, VertexId};
+pub use maps::{EdgeMap, FaceMap, HalfedgeMap, VertexMap};
 pub use mesh::Mesh;
 pub use validity::Violation;
