@@ -75,7 +75,7 @@ impl Dcel {
     /// of the surface is this one if every face is a sphere with holes, and higher if not.
     ///
     /// # Complexity
-    /// Linear.
+    /// Linear, but for a forest of disjoint sets: at worst the logarithm of its size for each link.
     ///
     /// # Examples
     /// ```
@@ -128,7 +128,7 @@ impl Dcel {
     /// `C` is the number of components. If the structure is not valid, gives what `check_valid` finds.
     ///
     /// # Complexity
-    /// Linear.
+    /// As [`least_genus`](Self::least_genus).
     pub fn check_euler(&self, genus: usize) -> Vec<DcelViolation> {
         let mut found = self.check_valid();
         if !found.is_empty() {

@@ -22,6 +22,8 @@ mod split;
 #[cfg(test)]
 mod tests;
 mod validity;
+#[cfg(test)]
+mod violations;
 
 use crate::{CcbId, FaceId, HalfedgeId, VertexId};
 pub use compact::Compaction;
