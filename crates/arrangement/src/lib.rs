@@ -6,5 +6,5 @@ pub mod sweep;
 pub mod topology;
 pub mod traits;
 
-pub use arrangement::{Arrangement, Counts, CurveId, Violation};
+pub use arrangement::{Arrangement, Counts, CurveId, Difference, UserEdgeId, UserView, Violation};
 pub use insert::Pieces;
