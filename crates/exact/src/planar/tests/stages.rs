@@ -116,7 +116,7 @@ fn boxes_decide_nothing_that_their_error_leaves_open() {
     // Boxes as coarse as the promise allows, around points and lines about as near to one another as they are large.
     let mut random = Random::new(37);
     for _ in 0..3000 {
-        let error = f64::from_bits((1023 - random.below(40)) << 52);
+        let error = f64::from_bits((1023 - random.below(31)) << 52);
         let exact_error = Rational::try_from(error).unwrap();
         let step = |random: &mut Random| {
             &exact_error * Rational::new(random.around_zero(64).into(), 32.into()).unwrap()
