@@ -1,6 +1,6 @@
 use super::*;
 use crate::testing::Random;
-use crate::tier::{Stage, Start, force, thread_counts};
+use crate::tier::{Start, force};
 use crate::{Integer, Rational, Sign};
 use std::cmp::Ordering;
 use std::collections::HashSet;
