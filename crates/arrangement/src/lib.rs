@@ -1,0 +1,4 @@
+//! Arrangements of curves on surfaces.
+pub mod sweep;
+pub mod topology;
+pub mod traits;
