@@ -13,6 +13,8 @@ mod ours;
 mod rows;
 mod table;
 mod task;
+#[cfg(test)]
+mod tests;
 
 use std::fs;
 use std::path::PathBuf;

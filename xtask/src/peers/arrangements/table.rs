@@ -4,6 +4,7 @@ use serde_json::{Value, json};
 
 use super::once::{Counts, Measured};
 use super::rows::{Measure, Peer, Requirement, Row};
+use super::task::Operation;
 
 /// What one program did with a row.
 #[derive(Debug)]
@@ -55,7 +56,7 @@ impl Run {
 pub(super) fn check(outcome: &mut Outcome) {
     let expected: Counts = outcome.row.counts;
     let hash = format!("{:016x}", outcome.row.task.operands()[0].hash);
-    let located = outcome.ours.as_ref().map(|run| run.measured.located);
+    let located = outcome.ours.as_ref().and_then(|run| run.measured.located);
     let mut troubles = Vec::new();
     for run in outcome.runs() {
         let name = run.name();
@@ -66,7 +67,11 @@ pub(super) fn check(outcome: &mut Outcome) {
             if run.measured.counts != Some(expected) {
                 troubles.push(format!("{name}: counts {}, there are {expected}", run.found()));
             }
-            if let Some(ours) = located.filter(|ours| *ours != run.measured.located) {
+            if run.measured.located.is_some() != (outcome.row.task.operation == Operation::Locate) {
+                troubles.push(format!(
+                    "{name}: it locates points where it should not, or does not where it should"
+                ));
+            } else if let Some(ours) = located.filter(|ours| Some(*ours) != run.measured.located) {
                 troubles.push(format!("{name}: located {:?}, we located {ours:?}", run.measured.located));
             }
         }
