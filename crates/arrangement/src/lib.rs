@@ -2,6 +2,7 @@
 
 mod arrangement;
 mod insert;
+pub mod models;
 pub mod overlay;
 mod queries;
 pub mod sweep;
