@@ -8,6 +8,7 @@ mod queries;
 pub mod sweep;
 pub mod topology;
 pub mod traits;
+pub mod wrappers;
 
 pub use arrangement::{Arrangement, Counts, CurveId, Violation};
 pub use insert::Pieces;
