@@ -5,7 +5,7 @@ use splitstar_render::{
 };
 
 fn frame() -> Frame {
-    Frame::new([0.0, 0.0], [4.0, 2.0]).unwrap()
+    Frame::new([0.0, 0.0], [4.0, 2.0]).expect("in order")
 }
 
 #[test]

@@ -256,3 +256,20 @@ fn small_pages_with_long_legends_are_drawn() {
         }
     }
 }
+
+#[test]
+fn many_items_take_few_bytes() {
+    let mut noise = Noise(11);
+    let (mut edges, mut vertices) = (Layer::new("edges"), Layer::new("vertices"));
+    for index in 0..100_000 {
+        let [a, b] = [noise.point(1000.0), noise.point(10.0)];
+        let segment = Shape::Polyline(vec![a, [a[0] + b[0], a[1] + b[1]]]);
+        let style = Style::stroked("edge", Colour::INK, 0.5);
+        edges.push(Item::new(segment, style).with_id(format!("e{index}"))).unwrap();
+        vertices.push(Item::new(Shape::disc(a, 1.0), Style::filled("vertex", Colour::INK))).unwrap();
+    }
+    let scene = Scene::around(vec![edges, vertices]);
+    let svg = scene.to_svg(&SvgOptions::default());
+    assert_eq!((tags_of(&svg, "path").len(), tags_of(&svg, "circle").len()), (100_000, 100_000));
+    assert!(svg.len() < 100_000 * (60 + 45), "{} bytes", svg.len());
+}
