@@ -7,6 +7,7 @@
 //! | `colour`, `style` | colours from a palette without end; fills and strokes |
 //! | `scene` | shapes, layers and the scene |
 //! | `svg` | the writer of SVG |
+//! | `arrangement` | scenes of arrangements |
 //!
 //! Here, and only here, a point is a pair of doubles: a picture decides nothing. Coordinates are those of the
 //! plane, with `y` upwards; sizes of strokes, markers and letters are in units of the screen.
@@ -27,6 +28,7 @@
 //! # Ok::<(), splitstar_render::RenderError>(())
 //! ```
 
+mod arrangement;
 mod clip;
 mod colour;
 mod error;
