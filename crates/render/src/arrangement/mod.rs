@@ -3,7 +3,8 @@
 //! | module | role |
 //! |---|---|
 //! | `outline` | edges as chains of points, and the window that holds all that happens |
-//! | `fill` | what the CCBs of a face enclose: closed along the window, or unrolled from the torus |
+//! | `fill` | what the CCBs of a face enclose: closed along the window where it runs through infinity |
+//! | `torus` | faces of a torus, unrolled into the plane |
 //! | `components` | which cells hang together |
 //!
 //! 1. The window is around all vertices, and is met by every edge; what is shown may be less.
@@ -14,6 +15,7 @@
 mod components;
 mod fill;
 mod outline;
+mod torus;
 
 use ::arrangement::Arrangement;
 use ::arrangement::topology::Topology;
@@ -38,8 +40,7 @@ impl Scene {
     /// grey. Artificial vertices are not drawn.
     ///
     /// `shown` is what the picture shows; `None` stands for all vertices and every edge, with a margin. On a torus it must be
-    /// the rectangle whose sides are glued together, which is drawn, too; points on a seam are drawn on both sides. There, a
-    /// face that has an outer CCB around the torus is not filled.
+    /// the rectangle whose sides are glued together, which is drawn, too; points on a seam are drawn on both sides.
     ///
     /// # Errors
     /// If a coordinate is too large for a double.
@@ -65,7 +66,10 @@ impl Scene {
                     let component = components.of(dcel.source(dcel.ccb_halfedge(ccb)));
                     Style::filled("face", Colour::pale(component))
                 }
-                _ => Style::filled("face unbounded", Colour::Rgb([246, 247, 249])),
+                _ => {
+                    let class = if is_torus { "face" } else { "face unbounded" };
+                    Style::filled(class, Colour::Rgb([246, 247, 249]))
+                }
             };
             faces.push(Item::new(Shape::region(rings), style).with_id(format!("f{}", f.0)))?;
         }

@@ -197,7 +197,7 @@ fn polygon(corners: &[[i128; 2]]) -> Vec<Straight> {
     corners.iter().zip(next).map(|(&p, &q)| straight(p, q, SEGMENT)).collect()
 }
 
-/// A square with a hole and an island in it, lines through it, a ray, isolated points.
+/// A square in a square with an island in it, a triangle, lines and a ray, isolated points and one on a line.
 pub(crate) fn sample() -> Arrangement<Straights, UnboundedPlane> {
     let mut curves = polygon(&[[0, 0], [12, 0], [12, 12], [0, 12]]);
     curves.extend(polygon(&[[3, 3], [9, 3], [9, 9], [3, 9]]));
