@@ -1,0 +1,20 @@
+//! The page on the grammar: its examples are read.
+
+use super::{notes, read, shown};
+
+#[test]
+fn the_examples_of_the_page_are_read() {
+    let page = include_str!("../../../../docs/curves.md");
+    let mut examples = page.split("```curves\n").skip(1).map(|rest| rest.split("```").next().unwrap());
+    let mut next = || examples.next().unwrap();
+    let own = read(next());
+    assert_eq!((own.curves.len(), notes(&own)), (6, vec![]));
+    let torus = read(next());
+    assert!(torus.period.is_some());
+    assert_eq!(torus.curves.len(), 3);
+    let wkt = read(next());
+    assert_eq!((wkt.curves.len(), wkt.notes.len()), (8, 2));
+    let geojson = read(next());
+    assert_eq!(shown(&geojson), "polyline 0 0 1/10 0 1/10 1/5 0 0\npoint 1/20 1/20\npoint 1 1");
+    assert!(examples.next().is_none());
+}
