@@ -4,7 +4,7 @@
 //! colons and the quotes of strings are checked there, and nothing else.
 
 use super::DEPTH;
-use super::lexer::{Lexer, text_of};
+use super::lexer::{Lexer, is_mark, text_of};
 use super::maker::{Chain, Maker};
 use super::model::CurvePoint;
 use crate::base::error::{Fault, Located};
@@ -45,20 +45,27 @@ const KINDS: [(&[u8], Kind); 9] = [
     (b"FeatureCollection", Kind::FeatureCollection),
 ];
 
-/// The members with what objects are made of.
-const CONTENTS: [&str; 4] = ["coordinates", "geometries", "geometry", "features"];
+/// A member with what an object is made of.
+struct Content {
+    name: &'static str,
+    /// The type of the object, if only one has this member.
+    kind: Option<Kind>,
+}
+
+const CONTENTS: [Content; 4] = [
+    Content { name: "coordinates", kind: None },
+    Content { name: "geometries", kind: Some(Kind::GeometryCollection) },
+    Content { name: "geometry", kind: Some(Kind::Feature) },
+    Content { name: "features", kind: Some(Kind::FeatureCollection) },
+];
 
 const COMMA_OR_CLOSE: &str = "`,` or `]`";
 
 impl Kind {
-    /// Which of [`CONTENTS`] it has.
-    fn content(self) -> usize {
-        match self {
-            Self::GeometryCollection => 1,
-            Self::Feature => 2,
-            Self::FeatureCollection => 3,
-            _ => 0,
-        }
+    /// The name of the member that it has of [`CONTENTS`].
+    fn content(self) -> &'static str {
+        let own = CONTENTS.iter().find(|content| content.kind == Some(self));
+        own.map_or("coordinates", |content| content.name)
     }
 
     fn may_be(self, role: Role) -> bool {
@@ -101,45 +108,47 @@ impl<'a> Reader<'a, '_, '_> {
         self.members(open, role)
     }
 
-    /// Reads an object behind its opening bracket. Its content is read at once if its type is known; else it is passed
-    /// over, and read when the type is.
+    /// Reads an object behind its opening bracket. Coordinates that come before the type are passed over, and read
+    /// when the type is known; the other contents tell the type themselves, and no object has two.
     fn members(&mut self, open: Token<'a>, role: Role) -> Result<(), Located> {
-        let mut kind = None;
-        let mut contents = [None; CONTENTS.len()];
-        let mut is_read = false;
+        let (mut kind, mut content, mut later) = (None, None, None);
         let mut first = true;
         while let Some(name) = self.next_name(first)? {
             first = false;
-            let name_text = text_of(name);
-            if name_text == Some(b"type") {
+            let text = text_of(name);
+            if text == Some(b"type") {
                 if kind.is_some() {
-                    return Err(repeated(name));
+                    return Err(name.unexpected("a member that the object does not yet have"));
                 }
-                kind = Some(self.kind(role)?);
+                kind = Some(self.kind(role, content)?);
                 continue;
             }
-            let content = CONTENTS.iter().position(|content| Some(content.as_bytes()) == name_text);
-            if let Some(content) = content {
-                if contents[content].replace(self.lexer).is_some() {
-                    return Err(repeated(name));
-                }
-                if let Some(kind) = kind.filter(|kind| kind.content() == content) {
-                    self.content(kind)?;
-                    is_read = true;
-                    continue;
+            let Some(member) = CONTENTS.iter().find(|member| Some(member.name.as_bytes()) == text) else {
+                self.skip_value()?;
+                continue;
+            };
+            let fits = kind.is_none_or(|kind: Kind| kind.content() == member.name);
+            if !fits || content.replace(member.name).is_some() {
+                return Err(name.unexpected("a member that fits to the others"));
+            }
+            match kind.or(member.kind) {
+                Some(kind) => self.content(kind)?,
+                None => {
+                    later = Some(self.lexer);
+                    self.skip_value()?;
                 }
             }
-            self.skip_value()?;
         }
-        let at = Place::Line(open.line);
         let missing = |member: &str| {
-            Fault::Malformed { why: format!("{} without the member `{member}`; add it", role.expected()) }
-                .at(at)
+            let why = format!("{} without the member `{member}`; add it", role.expected());
+            Fault::Malformed { why }.at(Place::Line(open.line))
         };
         let kind = kind.ok_or_else(|| missing("type"))?;
-        if !is_read {
-            let content = contents[kind.content()].ok_or_else(|| missing(CONTENTS[kind.content()]))?;
-            let end = std::mem::replace(&mut self.lexer, content);
+        if content.is_none() {
+            return Err(missing(kind.content()));
+        }
+        if let Some(coordinates) = later {
+            let end = std::mem::replace(&mut self.lexer, coordinates);
             self.depth += 1;
             self.content(kind)?;
             self.depth -= 1;
@@ -169,8 +178,8 @@ impl<'a> Reader<'a, '_, '_> {
         if colon.bytes == b":" { Ok(Some(token)) } else { Err(colon.unexpected("`:`")) }
     }
 
-    /// The value of the member `type`.
-    fn kind(&mut self, role: Role) -> Result<Kind, Located> {
+    /// The value of the member `type` of an object that may have its content already.
+    fn kind(&mut self, role: Role, content: Option<&str>) -> Result<Kind, Located> {
         const TYPE: &str = "the type of a GeoJSON object in quotes";
         let token = self.lexer.expect(TYPE)?;
         let text = text_of(token).ok_or_else(|| token.unexpected(TYPE))?;
@@ -181,7 +190,15 @@ impl<'a> Reader<'a, '_, '_> {
                 instead: "give GeoJSON: a geometry, a feature or a collection of features".into(),
             }));
         };
-        if kind.may_be(role) { Ok(kind) } else { Err(token.unexpected(role.expected())) }
+        if !kind.may_be(role) {
+            return Err(token.unexpected(role.expected()));
+        }
+        match content {
+            Some(member) if member != kind.content() => {
+                Err(token.unexpected(&format!("the type of an object with the member `{member}`")))
+            }
+            _ => Ok(kind),
+        }
     }
 
     /// Reads what an object of this type is made of.
@@ -272,13 +289,15 @@ impl<'a> Reader<'a, '_, '_> {
             self.depth -= 1;
             return Ok(None);
         }
-        let x = self.maker.coordinate(first)?;
+        if is_mark(first) {
+            return Err(first.unexpected("a coordinate"));
+        }
         let comma = self.lexer.expect("`,` and a second coordinate")?;
         if comma.bytes != b"," {
             return Err(comma.unexpected("`,` and a second coordinate"));
         }
-        let y = self.lexer.expect("a second coordinate")?;
-        let y = self.maker.coordinate(y)?;
+        let second = self.lexer.expect("a second coordinate")?;
+        let point = self.maker.point_of(first, second)?;
         let mut dropped = false;
         loop {
             let token = self.lexer.expect(COMMA_OR_CLOSE)?;
@@ -296,14 +315,14 @@ impl<'a> Reader<'a, '_, '_> {
         if dropped {
             self.maker.count_dropped();
         }
-        Ok(Some(([x, y], first.line)))
+        Ok(Some((point, first.line)))
     }
 
     #[inline]
     fn open_array(&mut self, things: &str) -> Result<(), Located> {
         let token = self.lexer.expect("`[`")?;
         if token.bytes != b"[" {
-            return Err(token.unexpected(&format!("`[` and {things}")));
+            return Err(token.unexpected(&format!("`[` with {things}")));
         }
         self.deeper(token)
     }
@@ -375,9 +394,4 @@ impl<'a> Reader<'a, '_, '_> {
             _ => Ok(()),
         }
     }
-}
-
-#[cold]
-fn repeated(name: Token<'_>) -> Located {
-    name.unexpected("a member that the object does not yet have")
 }

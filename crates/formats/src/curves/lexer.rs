@@ -12,25 +12,39 @@ pub(super) struct Lexer<'a> {
     line: u32,
 }
 
-/// Bytes that are a token by themselves.
-const PUNCTUATION: &[u8] = b"(),;:[]{}";
+/// What a byte does to a word that comes before it.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Class {
+    /// It goes on.
+    Word,
+    /// It ends.
+    Blank,
+    /// It ends, and the byte is a token by itself.
+    Mark,
+    /// It ends at a line break, a comment or a string.
+    Other,
+}
 
-/// For each byte whether it ends a word.
-const ENDS_WORD: [bool; 256] = {
-    let mut ends = [false; 256];
-    let mut at = 0;
-    while at < PUNCTUATION.len() {
-        ends[PUNCTUATION[at] as usize] = true;
-        at += 1;
+const CLASSES: [Class; 256] = {
+    let mut classes = [Class::Word; 256];
+    let sets: [(&[u8], Class); 3] =
+        [(b" \t\x0B\x0C", Class::Blank), (b"(),;:[]{}", Class::Mark), (b"\n\r#\"", Class::Other)];
+    let mut set = 0;
+    while set < sets.len() {
+        let mut at = 0;
+        while at < sets[set].0.len() {
+            classes[sets[set].0[at] as usize] = sets[set].1;
+            at += 1;
+        }
+        set += 1;
     }
-    let others = b" \t\n\r\x0B\x0C#\"";
-    at = 0;
-    while at < others.len() {
-        ends[others[at] as usize] = true;
-        at += 1;
-    }
-    ends
+    classes
 };
+
+#[inline]
+fn class(byte: u8) -> Class {
+    CLASSES[usize::from(byte)]
+}
 
 impl<'a> Lexer<'a> {
     /// Starts at the first line, behind a UTF-8 byte order mark.
@@ -49,11 +63,12 @@ impl<'a> Lexer<'a> {
     pub(super) fn token_in_line(&mut self) -> Option<Token<'a>> {
         self.skip_blanks();
         let rest = &self.bytes[self.at..];
-        let length = match rest.first()? {
-            b'\n' | b'\r' => return None,
-            b'"' => string_length(rest),
-            byte if PUNCTUATION.contains(byte) => 1,
-            _ => rest.iter().position(|&byte| ENDS_WORD[usize::from(byte)]).unwrap_or(rest.len()),
+        let first = *rest.first()?;
+        let length = match class(first) {
+            Class::Word => rest.iter().position(|&byte| class(byte) != Class::Word).unwrap_or(rest.len()),
+            Class::Mark => 1,
+            _ if first == b'"' => string_length(rest),
+            _ => return None,
         };
         self.at += length;
         Some(Token { bytes: &rest[..length], line: self.line })
@@ -126,12 +141,16 @@ impl<'a> Lexer<'a> {
 }
 
 /// What stands between the quotes of a string, escapes as they are; `None` if the token is none, or is not closed.
-pub(super) fn text_of<'a>(token: Token<'a>) -> Option<&'a [u8]> {
-    match token.bytes {
-        // A last quote behind a backslash is no end: then the string runs to the end of its line.
-        [b'"', text @ .., b'"'] if string_end(token.bytes) == Some(token.bytes.len()) => Some(text),
-        _ => None,
-    }
+pub(super) fn text_of(token: Token<'_>) -> Option<&[u8]> {
+    let [b'"', text @ .., b'"'] = token.bytes else { return None };
+    // A quote behind a backslash is no end, unless that is behind another.
+    let backslashes = text.iter().rev().take_while(|&&byte| byte == b'\\').count();
+    backslashes.is_multiple_of(2).then_some(text)
+}
+
+/// Whether a token is punctuation.
+pub(super) fn is_mark(token: Token<'_>) -> bool {
+    token.bytes.first().is_some_and(|&byte| class(byte) == Class::Mark)
 }
 
 /// The length of the string that a text begins with, up to the end of the line if it is not closed there.
@@ -175,18 +194,19 @@ mod tests {
 
     #[test]
     fn strings_end_in_their_line() {
-        let rows: [(&[u8], Option<&[u8]>, usize); 7] = [
-            (b"\"a#b\" c", Some(b"a#b"), 5),
-            (b"\"\"", Some(b""), 2),
-            (b"\"a\\\"b\"", Some(b"a\\\"b"), 6),
-            (b"\"a\\\\\"", Some(b"a\\\\"), 5),
-            (b"\"a\nb\"", None, 2),
-            (b"\"a\\\"", None, 4),
-            (b"\"", None, 1),
+        let rows = [
+            ("\"a#b\" c", Some("a#b"), 5),
+            ("\"\"", Some(""), 2),
+            ("\"a\\\"b\"", Some("a\\\"b"), 6),
+            ("\"a\\\\\"", Some("a\\\\"), 5),
+            ("\"a\nb\"", None, 2),
+            ("\"a\\\"", None, 4),
+            ("\"", None, 1),
         ];
         for (text, inside, length) in rows {
-            let token = Lexer::new(text).token().unwrap();
-            assert_eq!((text_of(token), token.bytes.len()), (inside, length), "{}", token.shown());
+            let token = Lexer::new(text.as_bytes()).token().unwrap();
+            let found = (text_of(token), token.bytes.len());
+            assert_eq!(found, (inside.map(str::as_bytes), length), "{text}");
         }
     }
 }

@@ -1,12 +1,12 @@
 //! How curves are made: coordinate by coordinate, within the budget.
 
+use super::lexer::is_mark;
 use super::model::{CurveFile, CurveNote, CurvePoint, InputCurve};
 use crate::base::budget::Budget;
 use crate::base::error::{At, Fault, Located, NumberFault};
 use crate::base::number::{Number, parse_number};
 use crate::base::places::{Place, PlaceList};
 use crate::base::scan::Token;
-use crate::base::words::read_coordinate;
 use exact::Rational;
 
 /// Collects curves with their lines, and charges them to the budget.
@@ -61,16 +61,23 @@ impl<'b> Maker<'b> {
         }
     }
 
-    /// Reads a coordinate; what it takes on the heap is charged.
+    /// Makes a point of its coordinates; what it takes on the heap is charged.
     #[inline]
-    pub(super) fn coordinate(&mut self, token: Token<'_>) -> Result<Rational, Located> {
-        match read_coordinate(token)? {
-            Number::Small(integer, 1) => Ok(Rational::from(integer)),
-            Number::Large(number) => {
+    pub(super) fn point_of(&mut self, x: Token<'_>, y: Token<'_>) -> Result<CurvePoint, Located> {
+        Ok([self.number(x)?, self.number(y)?])
+    }
+
+    /// Reads a coordinate or a period.
+    #[inline]
+    pub(super) fn number(&mut self, token: Token<'_>) -> Result<Rational, Located> {
+        match parse_number(token.bytes) {
+            Ok(Number::Small(integer, 1)) => Ok(Rational::from(integer)),
+            Ok(Number::Large(number)) => {
                 self.budget.charge(wide_bytes(&number)).at_line(token.line)?;
                 Ok(number)
             }
-            small => Ok(small.into_rational()),
+            Ok(small) => Ok(small.into_rational()),
+            Err(fault) => Err(no_number(token, fault)),
         }
     }
 
@@ -78,7 +85,7 @@ impl<'b> Maker<'b> {
     pub(super) fn extra_coordinate(&mut self, token: Token<'_>) -> Result<(), Located> {
         match parse_number(token.bytes) {
             Ok(_) | Err(NumberFault::NotFinite) => Ok(()),
-            Err(fault) => Err(token.fault(|token| Fault::BadNumber { token, fault })),
+            Err(fault) => Err(no_number(token, fault)),
         }
     }
 
@@ -192,6 +199,14 @@ impl<'b> Maker<'b> {
         let notes = notes.into_iter().flatten().collect();
         CurveFile { curves, places, period, notes }
     }
+}
+
+#[cold]
+fn no_number(token: Token<'_>, fault: NumberFault) -> Located {
+    if is_mark(token) {
+        return token.unexpected("a coordinate");
+    }
+    token.fault(|token| Fault::BadNumber { token, fault })
 }
 
 #[cold]

@@ -27,8 +27,8 @@ use exact::{Rational, Sign};
 /// more than 64 times its length, as it is stored, and 64 MiB, is refused.
 ///
 /// # Complexity
-/// O(n) for n bytes, unpacked, as long as coordinates have few digits. GeoJSON objects in which `type` comes after what it
-/// is the type of are passed over once more for each level of nesting, of which there are at most 64.
+/// O(n) for n bytes, unpacked, as long as coordinates have few digits. In GeoJSON, coordinates that come before their
+/// `type` are passed over first.
 ///
 /// ```
 /// use splitstar_formats::{InputCurve, read_curves};
@@ -101,18 +101,18 @@ fn record<'a>(
 ) -> Result<Known, Located> {
     let is = |keyword: &str| word.bytes.eq_ignore_ascii_case(keyword.as_bytes());
     if is("segment") {
-        let ends = two_points(lexer, maker, "the segment's two points (`segment x1 y1 x2 y2`)")?;
+        let ends = two_points(lexer, maker, "a segment of two points (`segment x1 y1 x2 y2`)")?;
         maker.straight(InputCurve::Segment(ends), word.line)?;
     } else if is("polyline") {
         polyline(lexer, maker)?;
     } else if is("ray") {
-        let ends = two_points(lexer, maker, "the ray's two points (`ray x1 y1 x2 y2`)")?;
+        let ends = two_points(lexer, maker, "a ray of two points (`ray x1 y1 x2 y2`)")?;
         maker.straight(InputCurve::Ray(ends), word.line)?;
     } else if is("line") {
-        let ends = two_points(lexer, maker, "the line's two points (`line x1 y1 x2 y2`)")?;
+        let ends = two_points(lexer, maker, "a line of two points (`line x1 y1 x2 y2`)")?;
         maker.straight(InputCurve::Line(ends), word.line)?;
     } else if is("point") && !wkt::follows(lexer) {
-        let point = point(lexer, maker, "the point's two coordinates (`point x y`)")?;
+        let point = point(lexer, maker, "a point of two coordinates (`point x y`)")?;
         maker.point(point, word.line)?;
     } else if is("period") {
         if !first {
@@ -133,9 +133,9 @@ fn record<'a>(
 
 #[inline]
 fn point(lexer: &mut Lexer<'_>, maker: &mut Maker<'_>, expected: &str) -> Result<CurvePoint, Located> {
-    let x = maker.coordinate(lexer.expect_in_line(expected)?)?;
-    let y = maker.coordinate(lexer.expect_in_line(expected)?)?;
-    Ok([x, y])
+    let x = lexer.expect_in_line(expected)?;
+    let y = lexer.expect_in_line(expected)?;
+    maker.point_of(x, y)
 }
 
 #[inline]
@@ -148,23 +148,23 @@ fn two_points(
 }
 
 fn polyline(lexer: &mut Lexer<'_>, maker: &mut Maker<'_>) -> Result<(), Located> {
-    const TWO: &str = "the polyline's first two points (`polyline x1 y1 x2 y2 ...`)";
+    const TWO: &str = "a polyline of two points or more (`polyline x1 y1 x2 y2 ...`)";
     maker.begin_chain();
     for _ in 0..2 {
         let point = point(lexer, maker, TWO)?;
         maker.extend_chain(point, lexer.line())?;
     }
-    while let Some(token) = lexer.token_in_line() {
-        let x = maker.coordinate(token)?;
-        let y = maker.coordinate(lexer.expect_in_line("the second coordinate of the last point")?)?;
-        maker.extend_chain([x, y], token.line)?;
+    while let Some(x) = lexer.token_in_line() {
+        let y = lexer.expect_in_line("the second coordinate of the last point")?;
+        let point = maker.point_of(x, y)?;
+        maker.extend_chain(point, x.line)?;
     }
     maker.end_chain(Chain::Open)
 }
 
 fn period(lexer: &mut Lexer<'_>, maker: &mut Maker<'_>) -> Result<Rational, Located> {
-    let token = lexer.expect_in_line("two periods (`period P Q`)")?;
-    let period = maker.coordinate(token)?;
+    let token = lexer.expect_in_line("a pair of periods (`period P Q`)")?;
+    let period = maker.number(token)?;
     if period.sign() == Sign::Positive { Ok(period) } else { Err(token.unexpected("a period larger than 0")) }
 }
 

@@ -1,7 +1,7 @@
 //! Geometries in well-known text (WKT) of ISO 19125, with the dimensions of ISO 13249 and the SRID of PostGIS.
 
 use super::DEPTH;
-use super::lexer::Lexer;
+use super::lexer::{Lexer, is_mark};
 use super::maker::{Chain, Maker};
 use super::model::CurvePoint;
 use crate::base::error::{Fault, Located};
@@ -246,9 +246,11 @@ impl<'a> Reader<'a, '_, '_, '_> {
         dimension: Dimension,
     ) -> Result<(CurvePoint, u32), Located> {
         let first = first.map_or_else(|| self.lexer.expect(COORDINATE), Ok)?;
-        let x = self.maker.coordinate(first)?;
-        let y = self.lexer.expect(COORDINATE)?;
-        let y = self.maker.coordinate(y)?;
+        if is_mark(first) {
+            return Err(first.unexpected(COORDINATE));
+        }
+        let second = self.lexer.expect(COORDINATE)?;
+        let point = self.maker.point_of(first, second)?;
         let (least, most) = match dimension {
             Dimension::Unsaid => (2, 4),
             Dimension::Exactly(number) => (number, number),
@@ -268,6 +270,6 @@ impl<'a> Reader<'a, '_, '_, '_> {
         if number > 2 {
             self.maker.count_dropped();
         }
-        Ok(([x, y], first.line))
+        Ok((point, first.line))
     }
 }

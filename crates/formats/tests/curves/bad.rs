@@ -12,15 +12,15 @@ const LINES: &[Row] = &[
     (
         "\nsegment 0 0 1",
         2,
-        "the line ends where the segment's two points (`segment x1 y1 x2 y2`) was expected; complete it",
+        "the line ends where a segment of two points (`segment x1 y1 x2 y2`) was expected; complete it",
     ),
     (
         "ray\n0 0 1 1",
         1,
-        "the line ends where the ray's two points (`ray x1 y1 x2 y2`) was expected; complete it",
+        "the line ends where a ray of two points (`ray x1 y1 x2 y2`) was expected; complete it",
     ),
     ("segment 0 0 1 1 2", 1, "`2` where the end of the line was expected; correct it"),
-    ("point 1, 2", 1, "`,` is no number; write an integer, a decimal or a fraction p/q"),
+    ("point 1, 2", 1, "`,` where a coordinate was expected; correct it"),
     ("point 1 1/0", 1, "`1/0` has the denominator zero; write a fraction p/q with q not zero"),
     ("point nan 1", 1, "`nan` is not finite; write a finite number"),
     ("point 1e401 1", 1, "the exponent of `1e401` is too large in magnitude; the largest allowed is 400"),
@@ -42,7 +42,7 @@ const LINES: &[Row] = &[
     (
         "polyline 1 2",
         1,
-        "the line ends where the polyline's first two points (`polyline x1 y1 x2 y2 ...`) was expected; complete it",
+        "the line ends where a polyline of two points or more (`polyline x1 y1 x2 y2 ...`) was expected; complete it",
     ),
     (
         "polyline 1 2 3 4 5",
@@ -50,7 +50,7 @@ const LINES: &[Row] = &[
         "the line ends where the second coordinate of the last point was expected; complete it",
     ),
     ("period 1 0", 1, "`0` where a period larger than 0 was expected; correct it"),
-    ("period 1", 1, "the line ends where two periods (`period P Q`) was expected; complete it"),
+    ("period 1", 1, "the line ends where a pair of periods (`period P Q`) was expected; complete it"),
     (
         "point 0 0\nperiod 1 1",
         2,
@@ -67,15 +67,15 @@ const LINES: &[Row] = &[
 ];
 
 const WKT: &[Row] = &[
-    ("POINT", 1, "the line ends where the point's two coordinates (`point x y`) was expected; complete it"),
+    ("POINT", 1, "the line ends where a point of two coordinates (`point x y`) was expected; complete it"),
     ("POINT Z\n(1 2 3)", 1, "the line ends where `(` or `EMPTY` was expected; complete it"),
     ("LINESTRING 1 2", 1, "`1` where `(` or `EMPTY` was expected; correct it"),
     ("LINESTRING (1 2\n, 3 4\n\n", 3, "the file ends where `,` or `)` was expected; complete it"),
     ("LINESTRING (1 2)", 1, "a polyline of one point; give it a second one, or make it a point"),
-    ("LINESTRING ()", 1, "`)` is no number; write an integer, a decimal or a fraction p/q"),
+    ("LINESTRING ()", 1, "`)` where a coordinate was expected; correct it"),
     ("POINT (1 2) POINT (3 4)", 1, "`POINT` where the end of the line was expected; correct it"),
     ("POINT (1 2 3 4 5)", 1, "`5` where `)` was expected; correct it"),
-    ("POINT Z (1 2)", 1, "`)` is no number; write an integer, a decimal or a fraction p/q"),
+    ("POINT Z (1 2)", 1, "`)` where a coordinate was expected; correct it"),
     ("POINT M (1 2 3 4)", 1, "`4` where `)` was expected; correct it"),
     ("POINT (1 nan)", 1, "`nan` is not finite; write a finite number"),
     (
@@ -130,7 +130,7 @@ const GEOJSON: &[Row] = &[
         "`\\\"1\\\"` is no number; write an integer, a decimal or a fraction p/q",
     ),
     ("{\"type\":\"Point\",\"coordinates\":[1,2}", 1, "`}` where `,` or `]` was expected; correct it"),
-    ("{\"type\":\"Point\",\"coordinates\":7}", 1, "`7` where `[` and coordinates was expected; correct it"),
+    ("{\"type\":\"Point\",\"coordinates\":7}", 1, "`7` where `[` with coordinates was expected; correct it"),
     (
         "{\"type\":\"MultiPoint\",\"coordinates\":[[1,2],[]]}",
         1,
@@ -141,6 +141,23 @@ const GEOJSON: &[Row] = &[
         1,
         "a polyline of one point; give it a second one, or make it a point",
     ),
+    (
+        "{\"type\":\"Point\",\"geometry\":null}",
+        1,
+        "`\\\"geometry\\\"` where a member that fits to the others was expected; correct it",
+    ),
+    (
+        "{\"coordinates\":[1,2],\"coordinates\":[1,2]}",
+        1,
+        "`\\\"coordinates\\\"` where a member that fits to the others was expected; correct it",
+    ),
+    (
+        "{\"features\":[],\n\"type\":\"Feature\"}",
+        2,
+        "`\\\"Feature\\\"` where the type of an object with the member `features` was expected; correct it",
+    ),
+    ("{\"features\":[]}", 1, "a GeoJSON object without the member `type`; add it"),
+    ("{\"type\":\"Point\",\"coordinates\":[[1,2]]}", 1, "`[` where a coordinate was expected; correct it"),
     (
         "{\"type\":\"Point\",\"type\":\"Point\"}",
         1,

@@ -136,7 +136,7 @@ const GEOJSON: &[Row] = &[
     row(
         "feature",
         r#"{"type":"Feature","id":7,"bbox":[0,0,1,1],"geometry":{"type":"Point","coordinates":[1,2]},
-            "properties":{"a":[{},[],null,true,-1.5e3,"} # \" {"],"type":"x","features":3},"geometries":null}"#,
+            "properties":{"a":[{},[],null,true,-1.5e3,"} # \" {"],"type":"x","features":3},"foreign":null}"#,
         "point 1 2",
     ),
     row(
