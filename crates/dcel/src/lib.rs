@@ -14,6 +14,7 @@
 //! ```
 
 mod build;
+mod dcel;
 mod ids;
 mod mesh;
 #[cfg(test)]
@@ -21,6 +22,7 @@ mod tests;
 mod validity;
 
 pub use build::{Defect, Edge};
-pub use ids::{FacetId, HalfedgeId, VertexId};
+pub use dcel::{CcbKind, Dcel, Halfedge, RawCcb, RawDcel};
+pub use ids::{CcbId, EdgeId, FaceId, FacetId, HalfedgeId, VertexId};
 pub use mesh::Mesh;
 pub use validity::Violation;

@@ -1,0 +1,371 @@
+//! Events in order, and the status line kept up to date.
+
+use super::input::{NO_GROUP, SweepInput};
+use super::queue::{Ahead, Queue};
+use super::status::{NIL, Status, StrandData};
+use super::visitor::{Around, Event, Strand, SweepVisitor};
+use crate::topology::{Site, Topology};
+use crate::traits::{Along, Meeting, Multiplicity, SideKind, Sides, UMonotoneTraits, Window};
+use std::cmp::Ordering;
+use std::ops::ControlFlow;
+
+/// Sweeps over the input, and tells the visitor of every event, until it answers `Break`.
+///
+/// # Complexity
+/// See the module.
+///
+/// # References
+/// Thesis, section 2.4.1.
+pub fn sweep<G: UMonotoneTraits, T: Topology<G>, V: SweepVisitor<G>>(
+    traits: &G,
+    topology: &T,
+    input: &SweepInput<'_, G>,
+    visitor: &mut V,
+) -> ControlFlow<()> {
+    Engine::new(traits, topology, input).run(visitor)
+}
+
+/// The buffers of one event; kept to be used again.
+#[derive(Debug)]
+pub(super) struct Buffers<T> {
+    /// The nodes of the strands that end here, from bottom to top.
+    nodes: Vec<u32>,
+    left: Vec<Strand<T>>,
+    pub(super) right: Vec<Strand<T>>,
+    /// Curves that go on or begin.
+    pub(super) curves: Vec<u32>,
+}
+
+pub(super) struct Engine<'a, 'i, G: UMonotoneTraits, T, Tag> {
+    pub(super) traits: &'a G,
+    pub(super) topology: &'a T,
+    pub(super) input: &'a SweepInput<'i, G>,
+    sides: Sides,
+    /// The sites in the order in which they are met, and the place of each in it.
+    pub(super) order: Vec<u32>,
+    rank: Vec<u32>,
+    pub(super) status: Status<Tag>,
+    pub(super) queue: Queue<G::Point>,
+    /// The node of each curve on the status line.
+    node_of: Vec<u32>,
+    /// The next curve of the same strand.
+    pub(super) links: Vec<u32>,
+    /// For each site, a list of curves that pass through it, in `passing`.
+    passing_head: Vec<u32>,
+    passing: Vec<(u32, u32)>,
+    /// The number of the current event.
+    now: u32,
+}
+
+impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a, 'i, G, T, Tag> {
+    fn new(traits: &'a G, topology: &'a T, input: &'a SweepInput<'i, G>) -> Self {
+        let sites = input.sites.len();
+        let mut order: Vec<u32> = (0..sites as u32).collect();
+        let compare =
+            |a: u32, b: u32| topology.compare_sites(traits, &input.sites[a as usize], &input.sites[b as usize]);
+        // Stable, and quick where the sites are already in order, as those of an arrangement usually are.
+        order.sort_by(|&a, &b| compare(a, b));
+        let mut rank = vec![0; sites];
+        for (place, &site) in order.iter().enumerate() {
+            rank[site as usize] = place as u32;
+        }
+        Self {
+            traits,
+            topology,
+            input,
+            sides: topology.sides(),
+            order,
+            rank,
+            status: Status::new(),
+            queue: Queue::new(),
+            node_of: vec![NIL; input.curves.len()],
+            links: vec![NIL; input.curves.len()],
+            passing_head: vec![NIL; sites],
+            passing: Vec::new(),
+            now: 0,
+        }
+    }
+
+    fn run<V: SweepVisitor<G, Tag = Tag>>(&mut self, visitor: &mut V) -> ControlFlow<()> {
+        let mut buffers = Buffers { nodes: Vec::new(), left: Vec::new(), right: Vec::new(), curves: Vec::new() };
+        let (traits, input) = (self.traits, self.input);
+        let is_less = |p: &G::Point, q: &G::Point| traits.compare_uv(p, q) == Ordering::Less;
+        let mut cursor = 0;
+        loop {
+            let meeting_first = match (self.order.get(cursor), self.queue.first()) {
+                (None, None) => return ControlFlow::Continue(()),
+                (Some(_), None) => Ordering::Greater,
+                (None, Some(_)) => Ordering::Less,
+                (Some(&site), Some(ahead)) => {
+                    let meeting = Site::interior(&ahead.point);
+                    self.topology.compare_sites(traits, &meeting, &input.sites[site as usize])
+                }
+            };
+            let (from, met) = (cursor, self.queue_pop_if(meeting_first.is_le(), is_less));
+            if meeting_first.is_ge() {
+                cursor = self.end_of_equal_sites(cursor);
+            }
+            let site = match &met {
+                Some(ahead) => Site::interior(&ahead.point),
+                None => input.sites[self.order[from] as usize],
+            };
+            let mut multiplicity = match &met {
+                Some(ahead) if cursor == from => ahead.multiplicity,
+                _ => Multiplicity::Unknown,
+            };
+            // Mark the strands that end here or pass through.
+            let mut hit = NIL;
+            for place in from..cursor {
+                hit = self.mark_site(self.order[place], hit);
+            }
+            if let Some(ahead) = &met {
+                for curve in ahead.curves {
+                    hit = self.mark_curve(curve, hit);
+                }
+                while self.queue.first().is_some_and(|next| {
+                    next.curves == ahead.curves || traits.is_same_point(&next.point, &ahead.point)
+                }) {
+                    let next = self.queue.pop(is_less).expect("the queue has a first meeting");
+                    if next.curves != ahead.curves {
+                        multiplicity = Multiplicity::Unknown;
+                    }
+                    for curve in next.curves {
+                        hit = self.mark_curve(curve, hit);
+                    }
+                }
+            }
+            let below_point = if hit == NIL { self.locate(&site) } else { Err(hit) };
+            let (below, above) = self.collect_left(below_point, cursor as u32, &mut buffers);
+            self.make_right(&site, from..cursor, multiplicity, &mut buffers);
+            let tag = |node: u32| (node != NIL).then(|| self.status.strand(node).tag);
+            let event =
+                Event { site, input_sites: &self.order[from..cursor], is_meeting: met.is_some() };
+            let mut around = Around {
+                below: tag(below),
+                above: tag(above),
+                left: &buffers.left,
+                right: &mut buffers.right,
+                links: &self.links,
+            };
+            visitor.event(&event, &mut around)?;
+            self.update_status(&site, below, above, &mut buffers);
+            self.now += 1;
+        }
+    }
+
+    fn queue_pop_if(
+        &mut self,
+        pop: bool,
+        is_less: impl Fn(&G::Point, &G::Point) -> bool,
+    ) -> Option<Ahead<G::Point>> {
+        if pop { self.queue.pop(is_less) } else { None }
+    }
+
+    /// The place after the sites that are equal to the one at `cursor`.
+    fn end_of_equal_sites(&self, cursor: usize) -> usize {
+        let site = |place: usize| &self.input.sites[self.order[place] as usize];
+        let mut end = cursor + 1;
+        while end < self.order.len()
+            && self.topology.compare_sites(self.traits, site(cursor), site(end)) == Ordering::Equal
+        {
+            end += 1;
+        }
+        end
+    }
+
+    /// Marks the strands that are known to go through a site, and gives one of them.
+    fn mark_site(&mut self, site: u32, mut hit: u32) -> u32 {
+        let ended = self.input.any_end[site as usize];
+        if ended != NIL {
+            hit = self.mark_curve(ended, hit);
+        }
+        let mut link = self.passing_head[site as usize];
+        while link != NIL {
+            let (curve, next) = self.passing[link as usize];
+            hit = self.mark_curve(curve, hit);
+            link = next;
+        }
+        hit
+    }
+
+    #[inline]
+    fn mark_curve(&mut self, curve: u32, hit: u32) -> u32 {
+        let node = self.node_of[curve as usize];
+        if node == NIL {
+            return hit;
+        }
+        self.status.set_mark(node, self.now);
+        node
+    }
+
+    /// Looks for a site through which no strand is known to go: the node below it, or the one that goes through it.
+    fn locate(&self, site: &Site<'_, G>) -> Result<u32, u32> {
+        let status = &self.status;
+        let curve = |node: u32| self.input.curve(status.strand(node).head as usize);
+        match (site.location.u, site.location.v) {
+            // Only curves along the left side are met before what follows on it.
+            (Along::Low, _) => match (status.last(), site.point()) {
+                (top, Some(_)) if top != NIL && self.traits.is_vertical(curve(top)) => Err(top),
+                (top, _) => Ok(top),
+            },
+            // All strands end on the right side, and those that end further down are gone.
+            (Along::High, _) => Ok(NIL),
+            (_, Along::Low) => match (status.first(), site.point()) {
+                (bottom, Some(p)) if bottom != NIL && self.sides.v[0] == SideKind::Identified => {
+                    match self.traits.compare_v_at_u(p, curve(bottom)) {
+                        Ordering::Equal => Err(bottom),
+                        _ => Ok(NIL),
+                    }
+                }
+                _ => Ok(NIL),
+            },
+            (_, Along::High) => Ok(status.last()),
+            (Along::Inside, Along::Inside) => {
+                let Some(p) = site.point() else { return Ok(status.last()) };
+                let (mut node, mut below) = (status.root(), NIL);
+                while node != NIL {
+                    match self.traits.compare_v_at_u(p, curve(node)) {
+                        Ordering::Less => node = status.child(node, 0),
+                        Ordering::Equal => return Err(node),
+                        Ordering::Greater => {
+                            below = node;
+                            node = status.child(node, 1);
+                        }
+                    }
+                }
+                Ok(below)
+            }
+        }
+    }
+
+    /// Collects the strands through the event, given the node below it or one through it, and the curves of these strands that do
+    /// not end here. Gives the nodes next below and next above.
+    fn collect_left(
+        &mut self,
+        place: Result<u32, u32>,
+        end_rank: u32,
+        buffers: &mut Buffers<Tag>,
+    ) -> (u32, u32) {
+        let Buffers { nodes, left, curves, .. } = buffers;
+        nodes.clear();
+        left.clear();
+        curves.clear();
+        let hit = match place {
+            Ok(below) => {
+                let above = if below == NIL { self.status.first() } else { self.status.next(below) };
+                return (below, above);
+            }
+            Err(hit) => hit,
+        };
+        self.status.set_mark(hit, self.now);
+        let mut first = hit;
+        let mut below = self.status.prev(first);
+        while below != NIL && self.goes_through(below, end_rank) {
+            first = below;
+            below = self.status.prev(first);
+        }
+        let mut node = first;
+        while node != NIL && (node == hit || self.goes_through(node, end_rank)) {
+            let StrandData { head, tag } = *self.status.strand(node);
+            nodes.push(node);
+            left.push(Strand { head, tag });
+            let mut curve = head;
+            while curve != NIL {
+                if self.rank[self.input.curves[curve as usize].ends[1] as usize] >= end_rank {
+                    curves.push(curve);
+                }
+                curve = self.links[curve as usize];
+            }
+            node = self.status.next(node);
+        }
+        (below, node)
+    }
+
+    /// Tells whether a strand is known to go through the event: it was marked, or one of its curves ends here.
+    fn goes_through(&self, node: u32, end_rank: u32) -> bool {
+        if self.status.mark(node) == self.now {
+            return true;
+        }
+        let mut curve = self.status.strand(node).head;
+        while curve != NIL {
+            if self.rank[self.input.curves[curve as usize].ends[1] as usize] < end_rank {
+                return true;
+            }
+            curve = self.links[curve as usize];
+        }
+        false
+    }
+
+    /// Replaces the strands on the left by those on the right, and asks new neighbours where they meet.
+    fn update_status(&mut self, site: &Site<'_, G>, below: u32, above: u32, buffers: &mut Buffers<Tag>) {
+        let Buffers { nodes, right, .. } = buffers;
+        let mut last = below;
+        let mut reused = nodes.iter();
+        for strand in right.iter() {
+            let data = StrandData { head: strand.head, tag: strand.tag };
+            let node = match reused.next() {
+                Some(&node) => {
+                    self.status.set_strand(node, data);
+                    node
+                }
+                None => self.status.insert_above(last, data),
+            };
+            let mut curve = strand.head;
+            while curve != NIL {
+                self.node_of[curve as usize] = node;
+                curve = self.links[curve as usize];
+            }
+            if !G::MEET_ONCE && last != below {
+                self.ask(last, node, site);
+            }
+            last = node;
+        }
+        for &node in reused {
+            self.status.remove(node);
+        }
+        if right.is_empty() {
+            self.ask(below, above, site);
+        } else {
+            let first = if below == NIL { self.status.first() } else { self.status.next(below) };
+            self.ask(below, first, site);
+            self.ask(last, above, site);
+        }
+    }
+
+    /// Asks two neighbours where they meet next, and notes it.
+    #[inline]
+    fn ask(&mut self, below: u32, above: u32, site: &Site<'_, G>) {
+        if below == NIL || above == NIL {
+            return;
+        }
+        let curves = [below, above].map(|node| self.status.strand(node).head);
+        let [lower, upper] = curves.map(|curve| &self.input.curves[curve as usize]);
+        if lower.group == upper.group && lower.group != NO_GROUP {
+            return;
+        }
+        let ranks = [lower, upper].map(|curve| self.rank[curve.ends[1] as usize]);
+        let first_to_end = usize::from(ranks[1] < ranks[0]);
+        let end_site = [lower, upper][first_to_end].ends[1];
+        let end = &self.input.sites[end_site as usize];
+        let window = Window {
+            after: site.point().filter(|_| site.location.is_interior()),
+            until: end.point().filter(|_| end.location.is_interior()),
+            first_to_end,
+        };
+        match self.traits.next_meeting(lower.curve, upper.curve, window) {
+            Meeting::Never => {}
+            Meeting::At(point, multiplicity) => self.push_meeting(point, curves, multiplicity),
+            Meeting::AtEnd => {
+                let link = self.passing.len() as u32;
+                self.passing.push((curves[1 - first_to_end], self.passing_head[end_site as usize]));
+                self.passing_head[end_site as usize] = link;
+            }
+        }
+    }
+
+    pub(super) fn push_meeting(&mut self, point: G::Point, curves: [u32; 2], multiplicity: Multiplicity) {
+        let traits = self.traits;
+        let is_less = |p: &G::Point, q: &G::Point| traits.compare_uv(p, q) == Ordering::Less;
+        self.queue.push(Ahead { point, curves, multiplicity }, is_less);
+    }
+}

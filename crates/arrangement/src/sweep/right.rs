@@ -1,0 +1,100 @@
+//! What begins at an event: curves sorted by their order to the right, and put together where they overlap.
+
+use super::engine::{Buffers, Engine};
+use super::status::NIL;
+use super::visitor::Strand;
+use crate::topology::{Site, Topology};
+use crate::traits::{CurveEnd, Intersection, Multiplicity, UMonotoneTraits};
+use std::cmp::Ordering;
+use std::ops::Range;
+
+impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, T, Tag> {
+    /// Makes the strands that begin at an event. `buffers.curves` has the curves that go on, from bottom to top as they came;
+    /// those that begin at the sites `places` of the order are added.
+    pub(super) fn make_right(
+        &mut self,
+        site: &Site<'_, G>,
+        places: Range<usize>,
+        multiplicity: Multiplicity,
+        buffers: &mut Buffers<Tag>,
+    ) {
+        let Buffers { right, curves, .. } = buffers;
+        right.clear();
+        let going_on = curves.len();
+        for place in places.clone() {
+            let site = self.order[place] as usize;
+            curves.extend(self.input.first_start[site]..self.input.first_start[site + 1]);
+        }
+        let begins = curves.len() > going_on;
+        let is_single = curves.iter().take(going_on).all(|&curve| self.links[curve as usize] == NIL);
+        if !begins && is_single && (G::MEET_ONCE || going_on == 2 && multiplicity == Multiplicity::Odd) {
+            // Straight curves through one point all change sides.
+            curves.reverse();
+        } else if !begins && is_single && going_on == 2 && multiplicity == Multiplicity::Even {
+            // They keep their order.
+        } else if curves.len() > 1 && !(going_on == 0 && places.len() == 1 && self.input.is_sorted) {
+            self.sort(site, curves);
+            return self.bundle(site, right, curves);
+        }
+        for &curve in curves.iter() {
+            self.links[curve as usize] = NIL;
+            right.push(Strand { head: curve, tag: Tag::default() });
+        }
+    }
+
+    /// Sorts curves through a point by their order to the right of it.
+    fn sort(&self, site: &Site<'_, G>, curves: &mut [u32]) {
+        if let Some(p) = site.point() {
+            curves.sort_by(|&a, &b| self.compare_right(a, b, p));
+        }
+    }
+
+    fn compare_right(&self, a: u32, b: u32, p: &G::Point) -> Ordering {
+        self.traits.compare_v_at_u_right(self.input.curve(a as usize), self.input.curve(b as usize), p)
+    }
+
+    /// Puts sorted curves that overlap into one strand each. Curves at a site without a point are there because they overlap.
+    fn bundle(&mut self, site: &Site<'_, G>, right: &mut Vec<Strand<Tag>>, curves: &[u32]) {
+        let mut rest = curves;
+        while let Some((&head, others)) = rest.split_first() {
+            let overlapping = others
+                .iter()
+                .take_while(|&&curve| site.point().is_none_or(|p| self.compare_right(head, curve, p).is_eq()))
+                .count();
+            let mut last = head;
+            for &curve in &others[..overlapping] {
+                self.links[last as usize] = curve;
+                last = curve;
+                if !G::MEET_ONCE {
+                    self.note_end_of_overlap(head, curve, site);
+                }
+            }
+            self.links[last as usize] = NIL;
+            right.push(Strand { head, tag: Tag::default() });
+            rest = &others[overlapping..];
+        }
+    }
+
+    /// Two curves that overlap may part before either ends: that is an event.
+    fn note_end_of_overlap(&mut self, a: u32, b: u32, site: &Site<'_, G>) {
+        let mut common = Vec::new();
+        self.traits.intersect(self.input.curve(a as usize), self.input.curve(b as usize), &mut common);
+        let is_ahead = |point: &G::Point| {
+            let meeting = Site::interior(point);
+            self.topology.compare_sites(self.traits, &meeting, site) == Ordering::Greater
+                && [a, b].into_iter().all(|curve| {
+                    let end = self.input.site(self.input.ends(curve as usize)[1]);
+                    self.topology.compare_sites(self.traits, &meeting, &end) == Ordering::Less
+                })
+        };
+        let end = common.iter().find_map(|intersection| match intersection {
+            Intersection::Overlap(curve) => {
+                self.traits.end_point(curve, CurveEnd::Max).filter(|point| is_ahead(point))
+            }
+            Intersection::Point(..) => None,
+        });
+        if let Some(point) = end.cloned() {
+            self.push_meeting(point, [a, b], Multiplicity::Unknown);
+        }
+    }
+}
