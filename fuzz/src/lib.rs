@@ -74,5 +74,5 @@ fn is_long(curve: &InputCurve) -> bool {
         InputCurve::Point(point) => std::slice::from_ref(point),
         _ => &[],
     };
-    points.iter().flatten().any(|number| number.to_string().len() > 1_000)
+    points.iter().flat_map(|point| point.coordinates()).any(|number| number.to_string().len() > 1_000)
 }

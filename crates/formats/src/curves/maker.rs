@@ -8,6 +8,7 @@ use crate::base::number::{Number, parse_number};
 use crate::base::places::{Place, PlaceList};
 use crate::base::scan::Token;
 use exact::Rational;
+use exact::planar::Point2;
 
 /// Collects curves with their lines, and charges them to the budget.
 pub(super) struct Maker<'b> {
@@ -64,20 +65,13 @@ impl<'b> Maker<'b> {
     /// Makes a point of its coordinates; what it takes on the heap is charged.
     #[inline]
     pub(super) fn point_of(&mut self, x: Token<'_>, y: Token<'_>) -> Result<CurvePoint, Located> {
-        Ok([self.number(x)?, self.number(y)?])
-    }
-
-    /// Reads a coordinate or a period.
-    #[inline]
-    pub(super) fn number(&mut self, token: Token<'_>) -> Result<Rational, Located> {
-        match parse_number(token.bytes) {
-            Ok(Number::Small(integer, 1)) => Ok(Rational::from(integer)),
-            Ok(Number::Large(number)) => {
-                self.budget.charge(wide_bytes(&number)).at_line(token.line)?;
-                Ok(number)
+        match (number(x)?, number(y)?) {
+            (Number::Small(i, 1), Number::Small(j, 1)) if fits(i) && fits(j) => Ok(Point2::from_i64([i, j])),
+            (i, j) => {
+                let coordinates = [i, j].map(Number::into_rational);
+                self.budget.charge(wide_bytes(&coordinates)).at_line(x.line)?;
+                Ok(Point2::from_rationals(&coordinates))
             }
-            Ok(small) => Ok(small.into_rational()),
-            Err(fault) => Err(no_number(token, fault)),
         }
     }
 
@@ -221,8 +215,30 @@ fn same_ends(name: &str, line: u32) -> Located {
     Fault::Malformed { why }.at(Place::Line(line))
 }
 
-/// What a number takes on the heap: the digits of the parts that are longer than two machine words.
-fn wide_bytes(number: &Rational) -> u64 {
-    let part = |bits: u64| if bits <= 128 { 0 } else { bits * 9 / 64 + 40 };
-    part(u64::from(number.numerator().bit_len())) + part(u64::from(number.denominator().bit_len()))
+/// Reads a coordinate or a period.
+#[inline]
+pub(super) fn number(token: Token<'_>) -> Result<Number, Located> {
+    parse_number(token.bytes).map_err(|fault| no_number(token, fault))
+}
+
+/// Bits of integers that a point holds without an allocation.
+const NARROW_BITS: u32 = 61;
+
+#[inline]
+fn fits(integer: i64) -> bool {
+    integer.unsigned_abs() >> NARROW_BITS == 0
+}
+
+/// What the point of these coordinates takes on the heap at most: two numerators and their common denominator, and the
+/// digits of those that are longer than two machine words.
+fn wide_bytes([x, y]: &[Rational; 2]) -> u64 {
+    let bits =
+        |number: &Rational| [number.numerator(), number.denominator()].map(|part| u64::from(part.bit_len()));
+    let ([x, x_weight], [y, y_weight]) = (bits(x), bits(y));
+    let bits = [x + y_weight, y + x_weight, x_weight + y_weight];
+    if bits.iter().all(|&bits| bits <= u64::from(NARROW_BITS)) {
+        return 0;
+    }
+    let digits = |bits: u64| if bits <= 128 { 0 } else { bits * 9 / 64 + 40 };
+    96 + bits.into_iter().map(digits).sum::<u64>()
 }

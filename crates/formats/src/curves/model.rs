@@ -2,10 +2,11 @@
 
 use crate::base::places::PlaceList;
 use exact::Rational;
+use exact::planar::Point2;
 use std::fmt;
 
-/// A point of the plane.
-pub type CurvePoint = [Rational; 2];
+/// A point of the plane, as arrangements take it.
+pub type CurvePoint = Point2;
 
 /// A curve as it is given to an arrangement.
 ///

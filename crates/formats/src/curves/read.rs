@@ -2,7 +2,7 @@
 
 use super::geojson;
 use super::lexer::Lexer;
-use super::maker::{Chain, Maker};
+use super::maker::{self, Chain, Maker};
 use super::model::{CurveFile, CurvePoint, InputCurve};
 use super::wkt;
 use crate::base::budget::Budget;
@@ -31,12 +31,13 @@ use exact::{Rational, Sign};
 /// `type` are passed over first.
 ///
 /// ```
+/// use exact::planar::Point2;
 /// use splitstar_formats::{InputCurve, read_curves};
 ///
 /// let text = b"# three curves\nsegment 0 0 1/3 0.1\nLINESTRING (0 0, 1 0, 1 1)\n\
 ///     {\"type\": \"Point\", \"coordinates\": [0.25, 1e1]}\n";
 /// let file = read_curves(text, None)?;
-/// let point = InputCurve::Point(["1/4".parse()?, "10".parse()?]);
+/// let point = InputCurve::Point(Point2::from_rationals(&["1/4".parse()?, "10".parse()?]));
 /// assert_eq!((file.curves.len(), &file.curves[2]), (3, &point));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
@@ -119,7 +120,7 @@ fn record<'a>(
             let why = "`period` behind another record; make it the first one, and the only `period`".into();
             return Err(Fault::Malformed { why }.at(Place::Line(word.line)));
         }
-        let period = [period(lexer, maker)?, period(lexer, maker)?];
+        let period = [period(lexer)?, period(lexer)?];
         maker.set_period(period);
     } else if word.bytes == b"{" {
         geojson::read(word, lexer, maker)?;
@@ -162,9 +163,9 @@ fn polyline(lexer: &mut Lexer<'_>, maker: &mut Maker<'_>) -> Result<(), Located>
     maker.end_chain(Chain::Open)
 }
 
-fn period(lexer: &mut Lexer<'_>, maker: &mut Maker<'_>) -> Result<Rational, Located> {
+fn period(lexer: &mut Lexer<'_>) -> Result<Rational, Located> {
     let token = lexer.expect_in_line("a pair of periods (`period P Q`)")?;
-    let period = maker.number(token)?;
+    let period = maker::number(token)?.into_rational();
     if period.sign() == Sign::Positive { Ok(period) } else { Err(token.unexpected("a period larger than 0")) }
 }
 

@@ -28,7 +28,7 @@ pub fn write_curves(curves: &[InputCurve]) -> Vec<u8> {
 /// Writes curves of a torus: the periods first, and then as [`write_curves`] does.
 pub fn write_periodic_curves(period: &[Rational; 2], curves: &[InputCurve]) -> Vec<u8> {
     let mut text = Vec::new();
-    put_record(&mut text, "period", std::slice::from_ref(period));
+    put(&mut text, format_args!("period {} {}\n", period[0], period[1]));
     put_curves(&mut text, curves);
     text
 }
@@ -47,7 +47,7 @@ fn put_curves(text: &mut Vec<u8>, curves: &[InputCurve]) {
 
 fn put_record(text: &mut Vec<u8>, keyword: &str, points: &[CurvePoint]) {
     text.extend_from_slice(keyword.as_bytes());
-    for [x, y] in points {
+    for [x, y] in points.iter().map(CurvePoint::coordinates) {
         put(text, format_args!(" {x} {y}"));
     }
     text.push(b'\n');

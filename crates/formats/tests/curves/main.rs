@@ -199,7 +199,7 @@ fn every_grammar_is_read_and_comes_back() {
 
 #[test]
 fn curves_are_what_they_say() {
-    let at = |x: i64, y: i64| -> CurvePoint { [x.into(), y.into()] };
+    let at = |x: i64, y: i64| CurvePoint::from_i64([x, y]);
     let file = read("segment 0 1 2 3\nray 0 1 2 3\nline 0 1 2 3\npolyline 0 1 2 3\npoint 0 1");
     let ends = || [at(0, 1), at(2, 3)];
     let curves = [

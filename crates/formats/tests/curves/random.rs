@@ -15,7 +15,7 @@ fn point(random: &mut Rng) -> CurvePoint {
         2 => format!("{}.{}", random.below(100), random.bits()).parse().unwrap(),
         _ => format!("{}e-{}", random.bits(), random.below(300)).parse().unwrap(),
     };
-    [coordinate(), coordinate()]
+    CurvePoint::from_rationals(&[coordinate(), coordinate()])
 }
 
 fn different(random: &mut Rng) -> [CurvePoint; 2] {
