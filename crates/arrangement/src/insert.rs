@@ -2,6 +2,7 @@
 
 use crate::arrangement::build::Builder;
 use crate::arrangement::{Arrangement, assemble::assemble};
+use crate::overlay::{Provenance, overlay_with_pieces};
 use crate::sweep::{SweepInput, sweep};
 use crate::topology::Topology;
 use crate::traits::{ArrangementTraits, BasicTraits, CurveEnd, Piece, UMonotoneTraits};
@@ -47,8 +48,8 @@ impl<G: ArrangementTraits> Pieces<G> {
     }
 }
 
-impl<G: UMonotoneTraits + Clone, T: Topology<G>> Arrangement<G, T> {
-    /// Makes the arrangement of curves and points.
+impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
+    /// Makes the arrangement of u-monotone curves and points, by one sweep.
     ///
     /// # Complexity
     /// That of [`sweep`].
@@ -57,7 +58,9 @@ impl<G: UMonotoneTraits + Clone, T: Topology<G>> Arrangement<G, T> {
         let built = {
             let input = SweepInput::of_curves(&traits, &topology, &curves, &points);
             // The sites of the ends, those of the points, and images of these on other sides, which decide nothing.
-            let ends = CurveEnd::BOTH.into_iter().flat_map(|end| is_artificial.iter().map(move |is| is[end as usize]));
+            let ends = CurveEnd::BOTH
+                .into_iter()
+                .flat_map(|end| is_artificial.iter().map(move |is| is[end as usize]));
             let mut flags: Vec<bool> = ends.chain(points.iter().map(|_| false)).collect();
             flags.resize(input.site_count(), true);
             let mut builder = Builder::new(topology.sides(), &flags);
@@ -65,5 +68,48 @@ impl<G: UMonotoneTraits + Clone, T: Topology<G>> Arrangement<G, T> {
             builder.finish()
         };
         assemble(traits, topology, built, curves, |curve| curve)
+    }
+
+    /// Inserts u-monotone curves and points, by one sweep over them and the edges that are there.
+    ///
+    /// All cells get new ids. The answer tells for every new cell in which old one it lies: its only operand is the arrangement as
+    /// it was. A new edge that does not lie on an old one lies in an old face.
+    ///
+    /// # Complexity
+    /// That of [`sweep`], over old edges and new curves: for few curves, insertion one by one is quicker.
+    pub fn insert_pieces(&mut self, pieces: Pieces<G>) -> Provenance
+    where
+        G: Clone,
+    {
+        let (arrangement, provenance) = overlay_with_pieces(&self.traits, &self.topology, &[self], pieces);
+        *self = arrangement;
+        provenance
+    }
+}
+
+impl<G: ArrangementTraits, T: Topology<G>> Arrangement<G, T> {
+    /// Makes the arrangement of general curves, by one sweep.
+    ///
+    /// # Complexity
+    /// That of [`sweep`].
+    ///
+    /// # References
+    /// Thesis, section 2.4.1.
+    pub fn of_curves<'a>(traits: G, topology: T, curves: impl IntoIterator<Item = &'a G::Curve>) -> Self
+    where
+        G::Curve: 'a,
+    {
+        let pieces = Pieces::of_curves(&traits, curves);
+        Self::of_pieces(traits, topology, pieces)
+    }
+
+    /// Inserts general curves, by one sweep over them and the edges that are there: see [`Arrangement::insert_pieces`].
+    pub fn insert_curves<'a>(&mut self, curves: impl IntoIterator<Item = &'a G::Curve>) -> Provenance
+    where
+        G: Clone,
+        G::Curve: 'a,
+    {
+        let pieces = Pieces::of_curves(&self.traits, curves);
+        self.insert_pieces(pieces)
     }
 }

@@ -31,9 +31,9 @@ pub(crate) fn assemble<G: UMonotoneTraits, T: Topology<G>>(
             continue;
         }
         let edge = EdgeId(edge);
-        let found = known.get(&members).and_then(|supports| {
-            supports.iter().copied().find(|&support| arrangement.covers(support, edge))
-        });
+        let found = known
+            .get(&members)
+            .and_then(|supports| supports.iter().copied().find(|&support| arrangement.covers(support, edge)));
         let support = match found {
             Some(support) => support,
             None => {

@@ -229,7 +229,8 @@ impl<'s, P: Clone> Builder<'s, P> {
         is_special: bool,
     ) -> (u32, u32) {
         let location = event.site.location;
-        let (left_above, is_right_empty) = (around.left.last().map(|strand| strand.tag.above), around.right.is_empty());
+        let (left_above, is_right_empty) =
+            (around.left.last().map(|strand| strand.tag.above), around.right.is_empty());
         let below_left = around.below.map_or(self.bottom, |tag| tag.above);
         match (location.u, location.v) {
             (Along::Low, _) => {
@@ -321,7 +322,10 @@ impl<G: BasicTraits> SweepVisitor<G> for Builder<'_, G::Point> {
     #[inline]
     fn event(&mut self, event: &Event<'_, G>, around: &mut Around<'_, BuildTag>) -> ControlFlow<()> {
         let is_artificial = !event.is_meeting
-            && event.input_sites.iter().all(|&site| self.is_artificial_site.get(site as usize) == Some(&true));
+            && event
+                .input_sites
+                .iter()
+                .all(|&site| self.is_artificial_site.get(site as usize) == Some(&true));
         self.last_vertex = if event.site.location.is_interior() {
             self.leave_left_side();
             let vertex = self.add_vertex(event.site.point().cloned(), is_artificial);

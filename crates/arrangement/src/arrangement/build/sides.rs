@@ -142,7 +142,9 @@ impl SideVertices {
 
     /// Notes the halfedges that leave a special vertex.
     pub(super) fn add_ends(&mut self, location: Location, leaving: impl Iterator<Item = HalfedgeId>) {
-        if let Some((side, _)) = sides_of(location).into_iter().find(|&(side, is)| is && self.special[side].is_some()) {
+        if let Some((side, _)) =
+            sides_of(location).into_iter().find(|&(side, is)| is && self.special[side].is_some())
+        {
             self.ends[side].extend(leaving);
         }
     }
