@@ -148,6 +148,5 @@ impl Dcel {
             self.vertices[v.index()] = VertexCell(next.0);
         }
         self.link(prev, next);
-        self.link(h.twin(), h);
     }
 }
