@@ -200,7 +200,7 @@ fn splitting_merging_and_trimming() {
             assert!(traits.is_mergeable(a, b));
             assert_eq!(traits.merge(a, b), Some(hill.clone()), "at {p:?}");
         }
-        assert!(traits.merge(&lower, &traits.opposite(&upper)).is_none());
+        assert_eq!(traits.merge(&traits.opposite(&lower), &upper), Some(traits.opposite(&hill)));
     }
     assert!(!traits.is_mergeable(&hill, &chain("6 0 6 3")), "a vertical chain follows");
     assert!(!traits.is_mergeable(&hill, &chain("7 0 8 3")), "they do not touch");
