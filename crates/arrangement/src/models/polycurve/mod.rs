@@ -32,8 +32,7 @@ pub use piece::{ConnectTraits, PieceTraits};
 
 /// Chains of curves of the model `S`.
 ///
-/// It has every refinement that `S` has, except that it must not itself be the model of another `PolycurveTraits`: chains of chains
-/// are chains. It is directional, whether `S` is or not: a chain runs as the polycurve that it was cut from.
+/// It has every refinement that `S` has. It is directional, whether `S` is or not: a chain runs as the polycurve that it was cut from.
 ///
 /// # Complexity
 /// Every predicate takes a predicate of `S`, and O(log m) comparisons of points for chains of m pieces.
