@@ -7,7 +7,12 @@
 
 mod curves;
 mod families;
+mod invariance;
 mod models;
 mod oracle;
+mod random;
 mod routes;
 mod rows;
+mod torus;
+mod torus_oracle;
+mod torus_rows;
