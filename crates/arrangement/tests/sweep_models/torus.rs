@@ -72,7 +72,8 @@ fn points_by_cover(paths: &[TorusPath], points: &[Point2], period: &Pair) -> BTr
             }
             // A copy of the other path comes near only if its box does.
             let steps = |axis: usize| {
-                let [low, high] = [start[axis].clone().min(end[axis].clone()), start[axis].clone().max(end[axis].clone())];
+                let [low, high] =
+                    [start[axis].clone().min(end[axis].clone()), start[axis].clone().max(end[axis].clone())];
                 let reach = other_way[axis].abs();
                 multiples(
                     &(low - &other_start[axis] - &reach),
@@ -125,7 +126,12 @@ fn counts_by_cover(all: &BTreeSet<Pair>, curves: &[TorusSegment], period: &Pair)
 }
 
 /// Cuts paths, and checks that the pieces make up the path, lie in the rectangle and never along its right or top side.
-fn cut(traits: &TorusSegmentTraits, paths: &[TorusPath], curves: &mut Vec<TorusSegment>, points: &mut Vec<Point2>) {
+fn cut(
+    traits: &TorusSegmentTraits,
+    paths: &[TorusPath],
+    curves: &mut Vec<TorusSegment>,
+    points: &mut Vec<Point2>,
+) {
     let [width, height] = traits.period().clone();
     for path in paths {
         let mut pieces = Vec::new();
@@ -143,13 +149,19 @@ fn cut(traits: &TorusSegmentTraits, paths: &[TorusPath], curves: &mut Vec<TorusS
             };
             let [min, max] = CurveEnd::BOTH.map(|end| curve.place(end).coordinates());
             let is_right = traits.is_directed_right(&curve);
-            rest = if is_right { difference(&rest, &difference(&max, &min)) } else { difference(&rest, &difference(&min, &max)) };
+            rest = if is_right {
+                difference(&rest, &difference(&max, &min))
+            } else {
+                difference(&rest, &difference(&min, &max))
+            };
             assert_eq!(traits.source(&curve), Some(&joint));
             joint = traits.target(&curve).unwrap().clone();
             let ends = if is_right { is_artificial } else { [is_artificial[1], is_artificial[0]] };
             assert_eq!(ends, [i > 0 || path.is_closed(), i < last || path.is_closed()]);
             for p in [&min, &max] {
-                assert!(!p.iter().any(|value| value.sign() == Sign::Negative) && p[0] <= width && p[1] <= height);
+                assert!(
+                    !p.iter().any(|value| value.sign() == Sign::Negative) && p[0] <= width && p[1] <= height
+                );
             }
             assert!(min[0] < width && (min[1] < height || max[1] < height), "{curve:?}");
             for end in CurveEnd::BOTH {
@@ -163,7 +175,11 @@ fn cut(traits: &TorusSegmentTraits, paths: &[TorusPath], curves: &mut Vec<TorusS
 }
 
 /// Ends, and what pairs of pieces have in common.
-fn points_by_pairs(traits: &TorusSegmentTraits, curves: &[TorusSegment], points: &[Point2]) -> BTreeSet<Pair> {
+fn points_by_pairs(
+    traits: &TorusSegmentTraits,
+    curves: &[TorusSegment],
+    points: &[Point2],
+) -> BTreeSet<Pair> {
     let mut all = points.to_vec();
     for (i, a) in curves.iter().enumerate() {
         all.extend(CurveEnd::BOTH.map(|end| a.point(end).clone()));
@@ -197,7 +213,9 @@ fn random_path(traits: &TorusSegmentTraits, rng: &mut Rng, size: i64, reach: i64
 
 #[test]
 fn paths_on_a_torus_as_in_the_universal_cover() {
-    for (number, (size, reach)) in [(1, 1), (1, 3), (2, 2), (4, 1), (4, 3), (9, 2), (100, 2)].into_iter().enumerate() {
+    for (number, (size, reach)) in
+        [(1, 1), (1, 3), (2, 2), (4, 1), (4, 3), (9, 2), (100, 2)].into_iter().enumerate()
+    {
         for round in 0..60 {
             let seed = (number as u64) << 32 | round;
             let mut rng = Rng::new(seed);

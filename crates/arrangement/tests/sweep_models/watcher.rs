@@ -84,4 +84,3 @@ pub(crate) fn swept<G: UMonotoneTraits, T: Topology<G>>(
     assert!(watcher.status.is_empty(), "the status line is empty in the end");
     watcher.counts
 }
-
