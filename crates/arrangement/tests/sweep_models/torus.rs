@@ -26,7 +26,7 @@ fn cross(p: &Pair, q: &Pair) -> Rational {
 }
 
 fn divided(p: &Rational, q: &Rational) -> Rational {
-    p.checked_div(q).unwrap()
+    p.checked_div(q).expect("not divided by zero")
 }
 
 /// The point at a time along a path.
@@ -41,7 +41,7 @@ fn reduced(p: &Pair, period: &Pair) -> Pair {
 /// All multiples of the period, as numbers of periods, between two numbers and one more on either side.
 fn multiples(from: &Rational, to: &Rational, period: &Rational) -> Vec<i64> {
     let [low, high] = if from <= to { [from, to] } else { [to, from] };
-    let number = |value: &Rational| divided(value, period).floor().to_i64().unwrap();
+    let number = |value: &Rational| divided(value, period).floor().to_i64().expect("a small number");
     (number(low) - 1..=number(high) + 1).collect()
 }
 
@@ -155,7 +155,7 @@ fn cut(
                 difference(&rest, &difference(&min, &max))
             };
             assert_eq!(traits.source(&curve), Some(&joint));
-            joint = traits.target(&curve).unwrap().clone();
+            joint = traits.target(&curve).expect("a curve on a torus has two ends").clone();
             let ends = if is_right { is_artificial } else { [is_artificial[1], is_artificial[0]] };
             assert_eq!(ends, [i > 0 || path.is_closed(), i < last || path.is_closed()]);
             for p in [&min, &max] {
@@ -199,7 +199,7 @@ fn random_path(traits: &TorusSegmentTraits, rng: &mut Rng, size: i64, reach: i64
     let start = Point2::from_i64([rng.within(2 * size), rng.within(2 * size)]);
     if rng.one_in(4) {
         let winding = [rng.within(reach.min(3)), rng.within(reach.min(3))];
-        return traits.closed_path(&start, winding).unwrap();
+        return traits.closed_path(&start, winding).expect("a short path");
     }
     let mut way = [rng.within(reach * size), rng.within(reach * size)];
     match rng.index(8) {
@@ -208,7 +208,7 @@ fn random_path(traits: &TorusSegmentTraits, rng: &mut Rng, size: i64, reach: i64
         2 => way = [way[0], way[0]],
         _ => {}
     }
-    traits.path(&start, &way.map(Rational::from)).unwrap()
+    traits.path(&start, &way.map(Rational::from)).expect("a short path")
 }
 
 #[test]

@@ -2,9 +2,8 @@
 
 use crate::models::{LinearTraits, MinimalSegment, MinimalSegmentTraits, Segment, SegmentTraits};
 use crate::traits::{
-    Along, ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, CurveEnd, DirectionalTraits,
-    Intersection, Location, Meeting, Multiplicity, NearBottomTopTraits, NearLeftRightTraits, Piece,
-    UMonotoneTraits, Window,
+    ApproxTraits, ArrangementTraits, BasicTraits, CurveEnd, DirectionalTraits, Intersection, Meeting,
+    Multiplicity, Piece, UMonotoneTraits, Window,
 };
 use exact::planar::Point2;
 use std::cmp::Ordering::{self, Equal, Greater, Less};
