@@ -1,6 +1,6 @@
 //! What every fuzz target checks of a reader.
 
-use splitstar_formats::{Format, Model, Shape, WriteOptions, read, write};
+use splitstar_formats::{Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
 
 /// Reads bytes as a file of that name. A message must be one short line; a model must come back from the native
 /// format as it was, and every other format must take it or say why not.
@@ -48,4 +48,31 @@ fn check_written(model: &Model, format: Format) {
 /// A number read with an exponent may have more digits, written out, than may be read.
 fn has_long_numbers(model: &Model) -> bool {
     model.shape.points().any(|point| point.bits() > 1_000)
+}
+
+/// Reads bytes as a file of curves. A message must be one short line; curves must come back as they were.
+pub fn check_curves(bytes: &[u8]) {
+    let file = match read_curves(bytes, None) {
+        Ok(file) => file,
+        Err(error) => {
+            let message = error.to_string();
+            assert!(message.len() < 600 && !message.contains(char::is_control), "{message:?}");
+            return;
+        }
+    };
+    match read_curves(&write_curves(&file.curves), None) {
+        Ok(again) => assert_eq!(again.curves, file.curves),
+        Err(error) => assert!(file.curves.iter().any(is_long), "what was written cannot be read: {error}"),
+    }
+}
+
+/// As for models: a number may have more digits, written out, than may be read.
+fn is_long(curve: &InputCurve) -> bool {
+    let points = match curve {
+        InputCurve::Segment(points) | InputCurve::Ray(points) | InputCurve::Line(points) => points.as_slice(),
+        InputCurve::Polyline(points) => points,
+        InputCurve::Point(point) => std::slice::from_ref(point),
+        _ => &[],
+    };
+    points.iter().flat_map(|point| point.coordinates()).any(|number| number.to_string().len() > 1_000)
 }

@@ -5,6 +5,7 @@
 #![allow(clippy::print_stdout)]
 
 use exact::planar::{Line2, Point2, compare_xy, side_of_line};
+use exact::{Integer, Rational};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -23,13 +24,21 @@ impl Random {
         z ^ (z >> 31)
     }
 
-    fn coordinates(&mut self, bits: u32) -> [i64; 2] {
-        [(); 2].map(|()| (self.next() >> (64 - bits)) as i64)
+    /// Not negative.
+    fn coordinates(&mut self, bits: u32) -> [Integer; 2] {
+        [(); 2].map(|()| {
+            let value = (Integer::from(self.next()) << 64) + Integer::from(self.next());
+            value >> (128 - bits)
+        })
+    }
+
+    fn point(&mut self, bits: u32) -> Point2 {
+        point(self.coordinates(bits))
     }
 
     fn line(&mut self, bits: u32) -> Line2 {
         loop {
-            let [p, q] = [(); 2].map(|()| Point2::from_i64(self.coordinates(bits)));
+            let [p, q] = [(); 2].map(|()| self.point(bits));
             if let Some(line) = Line2::through(&p, &q) {
                 return line;
             }
@@ -51,8 +60,8 @@ impl Random {
             let [x, y] = self.coordinates(bits);
             let lines = [(); 4].map(|()| {
                 let [i, j] = self.coordinates(bits);
-                let [p, q] = [[i, j], [2 * x + 1 - i, 2 * y + 1 - j]].map(Point2::from_i64);
-                Line2::through(&p, &q)
+                let [u, v] = [&x + &x + Integer::ONE - &i, &y + &y + Integer::ONE - &j];
+                Line2::through(&point([i, j]), &point([u, v]))
             });
             if let [Some(k), Some(l), Some(m), Some(n)] = &lines
                 && let Some(p) = Point2::crossing(k, l)
@@ -63,6 +72,10 @@ impl Random {
             }
         }
     }
+}
+
+fn point(coordinates: [Integer; 2]) -> Point2 {
+    Point2::from_rationals(&coordinates.map(Rational::from))
 }
 
 /// The least time of a pass, per call.
@@ -80,10 +93,9 @@ fn time<T, R>(inputs: &[T], mut call: impl FnMut(&T) -> R) -> f64 {
 
 fn main() {
     println!("Line2 {} bytes, Point2 {} bytes", size_of::<Line2>(), size_of::<Point2>());
-    for bits in [20, 22, 29, 31, 40, 53, 60, 62] {
+    for bits in [20, 22, 29, 31, 40, 53, 60, 64, 100] {
         let mut random = Random(bits.into());
-        let explicit: Vec<_> =
-            (0..INPUTS).map(|_| [(); 2].map(|()| Point2::from_i64(random.coordinates(bits)))).collect();
+        let explicit: Vec<_> = (0..INPUTS).map(|_| [(); 2].map(|()| random.point(bits))).collect();
         let crossings: Vec<_> = (0..INPUTS).map(|_| (random.crossing(bits), random.crossing(bits))).collect();
         let equal: Vec<_> = (0..INPUTS).map(|_| random.equal(bits)).collect();
         let rows = [

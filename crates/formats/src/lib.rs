@@ -10,6 +10,7 @@
 //! | ground | `base` | models, places, errors, numbers, words, and the limit on memory |
 //! | cells | `complex` | what only the native format can say |
 //! | formats | `off`, `obj`, `stl`, `ply`, `threemf`, `gltf`, `vrml`, `star`, `gzip` | one folder each |
+//! | curves | `curves` | curves of the plane for arrangements: own text, WKT, GeoJSON |
 //! | doors | `format`, `read`, `write` | which format it is, and the way there and back |
 //!
 //! The crate takes and gives bytes; it opens no file.
@@ -27,6 +28,7 @@
 
 mod base;
 mod complex;
+mod curves;
 mod format;
 mod gltf;
 mod gzip;
@@ -45,6 +47,9 @@ pub use base::model::{Kind, Model, Object, ReadModel, ReadNote, Shape, Unit};
 pub use base::places::{Place, PlaceList, Places};
 pub use complex::{
     Cell, Complex, ComplexSummary, Edge, Facet, Loss, Malformed, Position, Rule, UnmarkedCells, Vertex,
+};
+pub use curves::{
+    CurveFile, CurveNote, CurvePoint, InputCurve, read_curves, write_curves, write_periodic_curves,
 };
 pub use format::{Encoding, Format};
 pub use read::{check_start, read};

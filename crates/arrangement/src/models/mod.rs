@@ -11,9 +11,11 @@
 //! | [`MinimalSegmentTraits`] | [`MinimalSegment`]: both ends only | bounded | yes |
 //! | [`LinearTraits`] | [`Linear`]: segments, rays and lines | open left, right, bottom, top | yes |
 //! | [`TorusSegmentTraits`] | [`TorusPath`], cut into [`TorusSegment`]s | identified left to right, bottom to top | yes |
+//! | [`PolycurveTraits`](polycurve::PolycurveTraits) | chains of the curves of another model, polylines among them | those of the other model | no |
 
 pub mod linear;
 pub mod minimal;
+pub mod polycurve;
 pub mod segments;
 mod straight;
 pub mod torus;

@@ -61,8 +61,9 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
     fn new(traits: &'a G, topology: &'a T, input: &'a SweepInput<'i, G>) -> Self {
         let sites = input.sites.len();
         let mut order: Vec<u32> = (0..sites as u32).collect();
-        let compare =
-            |a: u32, b: u32| topology.compare_sites(traits, &input.sites[a as usize], &input.sites[b as usize]);
+        let compare = |a: u32, b: u32| {
+            topology.compare_sites(traits, &input.sites[a as usize], &input.sites[b as usize])
+        };
         // Stable, and quick where the sites are already in order, as those of an arrangement usually are.
         order.sort_by(|&a, &b| compare(a, b));
         let mut rank = vec![0; sites];
@@ -87,7 +88,8 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
     }
 
     fn run<V: SweepVisitor<G, Tag = Tag>>(&mut self, visitor: &mut V) -> ControlFlow<()> {
-        let mut buffers = Buffers { nodes: Vec::new(), left: Vec::new(), right: Vec::new(), curves: Vec::new() };
+        let mut buffers =
+            Buffers { nodes: Vec::new(), left: Vec::new(), right: Vec::new(), curves: Vec::new() };
         let (traits, input) = (self.traits, self.input);
         let is_less = |p: &G::Point, q: &G::Point| traits.compare_uv(p, q) == Ordering::Less;
         let mut cursor = 0;
@@ -138,8 +140,7 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
             let (below, above) = self.collect_left(below_point, cursor as u32, &mut buffers);
             self.make_right(&site, from..cursor, multiplicity, &mut buffers);
             let tag = |node: u32| (node != NIL).then(|| self.status.strand(node).tag);
-            let event =
-                Event { site, input_sites: &self.order[from..cursor], is_meeting: met.is_some() };
+            let event = Event { site, input_sites: &self.order[from..cursor], is_meeting: met.is_some() };
             let mut around = Around {
                 below: tag(below),
                 above: tag(above),

@@ -21,12 +21,11 @@ pub(crate) struct InputCurve<'a, G: BasicTraits> {
 pub struct SweepInput<'a, G: BasicTraits> {
     pub(super) sites: Vec<Site<'a, G>>,
     pub(super) curves: Vec<InputCurve<'a, G>>,
-    /// For each site, the first of the curves that begin there, which are consecutive; one more at the end.
+    /// For each site, the first of the curves that begin there; one more at the end. They are consecutive, from bottom to top, and
+    /// do not overlap.
     pub(super) first_start: Vec<u32>,
     /// For each site, one of the curves that end there.
     pub(super) any_end: Vec<u32>,
-    /// Whether the curves that begin at a site are given from bottom to top, and do not overlap.
-    pub(super) is_sorted: bool,
 }
 
 impl<'a, G: BasicTraits> SweepInput<'a, G> {
@@ -35,7 +34,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
     /// The site of the `Min` end of curve i has number i, that of its `Max` end n + i with n curves, and the points follow.
     ///
     /// # Panics
-    /// With 2^31 curves or more.
+    /// With 2^32 sites or more: two a curve, one a point.
     pub fn of_curves<T: Topology<G>>(
         traits: &G,
         topology: &T,
@@ -43,36 +42,37 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
         points: impl IntoIterator<Item = &'a G::Point>,
     ) -> Self {
         let mut input = Self::empty();
-        let curves: Vec<_> = curves.into_iter().collect();
-        let count = number(curves.len());
-        assert!(count < NIL / 2, "a sweep is over fewer than 2^31 curves");
-        input.sites.reserve(2 * curves.len());
-        for end in CurveEnd::BOTH {
-            input.sites.extend(curves.iter().map(|curve| Site::of_end(topology, traits, curve, end)));
-        }
-        input.sites.extend(points.into_iter().map(|point| Site::of_point(topology, traits, point)));
-        input.curves = (0..count)
-            .zip(curves)
-            .map(|(i, curve)| InputCurve { curve, ends: [i, count + i], group: NO_GROUP })
-            .collect();
-        input.first_start = (0..=input.sites.len()).map(|site| number(site).min(count)).collect();
-        input.any_end = vec![NIL; input.sites.len()];
-        for i in 0..count {
-            input.any_end[(count + i) as usize] = i;
-        }
+        input.push_free(traits, topology, curves, points);
         input.mirror(topology);
         input
     }
 
+    /// Appends free curves, and points of their own: first the sites of the `Min` ends, then those of the `Max` ends, then the
+    /// points.
+    pub(crate) fn push_free<T: Topology<G>>(
+        &mut self,
+        traits: &G,
+        topology: &T,
+        curves: impl IntoIterator<Item = &'a G::UMonotoneCurve>,
+        points: impl IntoIterator<Item = &'a G::Point>,
+    ) {
+        let first_curve = self.curves.len();
+        for curve in curves {
+            let min = self.push_site(Site::of_end(topology, traits, curve, CurveEnd::Min));
+            self.push_curve(InputCurve { curve, ends: [min, NIL], group: NO_GROUP });
+        }
+        for i in first_curve..self.curves.len() {
+            let max = self.push_site(Site::of_end(topology, traits, self.curves[i].curve, CurveEnd::Max));
+            self.end_curve(number(i), max);
+        }
+        for point in points {
+            self.push_site(Site::of_point(topology, traits, point));
+        }
+    }
+
     /// No site and no curve.
     pub fn empty() -> Self {
-        Self {
-            sites: Vec::new(),
-            curves: Vec::new(),
-            first_start: vec![0],
-            any_end: Vec::new(),
-            is_sorted: false,
-        }
+        Self { sites: Vec::new(), curves: Vec::new(), first_start: vec![0], any_end: Vec::new() }
     }
 
     /// The number of curves.
@@ -111,7 +111,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
 
     /// Adds, for each site on an identified side, the other places of its point. So a curve along the side is cut wherever
     /// another curve comes to it from the far side, and both sides are met at the same points.
-    pub(super) fn mirror<T: Topology<G>>(&mut self, topology: &T) {
+    pub(crate) fn mirror<T: Topology<G>>(&mut self, topology: &T) {
         let sides = topology.sides();
         if !sides.is_u_identified() && !sides.is_v_identified() {
             return;
@@ -140,20 +140,32 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
     }
 
     /// Appends a site at which no curve begins yet.
-    pub(super) fn push_site(&mut self, site: Site<'a, G>) -> u32 {
+    pub(crate) fn push_site(&mut self, site: Site<'a, G>) -> u32 {
         let number = number(self.sites.len());
+        assert!(number < NIL, "a sweep is over fewer than 2^32 sites");
         self.sites.push(site);
-        self.first_start.push(self.first_start[self.first_start.len() - 1]);
+        self.first_start.push(number_of_starts(&self.first_start));
         self.any_end.push(NIL);
         number
     }
 
     /// Appends a curve that begins at the last site.
-    pub(super) fn push_curve(&mut self, curve: InputCurve<'a, G>) {
+    pub(crate) fn push_curve(&mut self, curve: InputCurve<'a, G>) {
         self.curves.push(curve);
         let last = self.first_start.len() - 1;
         self.first_start[last] += 1;
     }
+
+    /// Says where a curve ends.
+    pub(crate) fn end_curve(&mut self, curve: u32, site: u32) {
+        self.curves[curve as usize].ends[1] = site;
+        self.any_end[site as usize] = curve;
+    }
+}
+
+/// The number of curves that begin at the sites so far.
+fn number_of_starts(first_start: &[u32]) -> u32 {
+    first_start.last().copied().unwrap_or(0)
 }
 
 fn number(index: usize) -> u32 {

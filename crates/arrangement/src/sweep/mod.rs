@@ -27,6 +27,7 @@
 //! # References
 //! Thesis, section 2.4.1; de Berg et al., Computational Geometry, section 2.1.
 
+mod cells;
 mod engine;
 mod input;
 mod queue;
@@ -34,7 +35,7 @@ mod right;
 mod status;
 mod visitor;
 
+pub(crate) use cells::CellNumbers;
 pub use engine::sweep;
 pub use input::{NO_GROUP, SweepInput};
-pub(crate) use input::InputCurve;
 pub use visitor::{Around, Event, Members, Strand, SweepVisitor};

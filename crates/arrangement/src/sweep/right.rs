@@ -32,7 +32,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
             curves.reverse();
         } else if !begins && is_single && going_on == 2 && multiplicity == Multiplicity::Even {
             // They keep their order.
-        } else if curves.len() > 1 && !(going_on == 0 && places.len() == 1 && self.input.is_sorted) {
+        } else if curves.len() > 1 && !(going_on == 0 && places.len() == 1) {
             self.sort(site, curves);
             return self.bundle(site, right, curves);
         }

@@ -93,7 +93,8 @@ impl<T: Copy> Status<T> {
     pub(super) fn insert_above(&mut self, below: u32, strand: StrandData<T>) -> u32 {
         let above = if below == NIL { self.first } else { self.next(below) };
         let priority = self.next_priority();
-        let node = Node { parent: NIL, child: [NIL; 2], priority, prev: below, next: above, mark: NIL, strand };
+        let node =
+            Node { parent: NIL, child: [NIL; 2], priority, prev: below, next: above, mark: NIL, strand };
         let id = match self.free.pop() {
             Some(id) => {
                 self.nodes[id as usize] = node;

@@ -1,9 +1,7 @@
 //! A rectangle whose opposite sides are glued together.
 
 use super::{Site, Topology};
-use crate::traits::{
-    Along, CurveEnd, IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Location, Sides,
-};
+use crate::traits::{Along, CurveEnd, IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Location, Sides};
 use std::cmp::Ordering;
 
 /// A flat torus: left and right, bottom and top of a rectangle are identified. How wide and how high the rectangle is, the

@@ -1,9 +1,7 @@
 //! The whole plane, with curves that may be unbounded.
 
 use super::{Site, SiteAt, Topology};
-use crate::traits::{
-    Along, CurveEnd, Location, OpenBottomTopTraits, OpenLeftRightTraits, Sides,
-};
+use crate::traits::{Along, CurveEnd, Location, OpenBottomTopTraits, OpenLeftRightTraits, Sides};
 use std::cmp::Ordering;
 
 /// The whole plane. All unbounded curve ends meet in one vertex at infinity, which closes the plane to a sphere, so that there

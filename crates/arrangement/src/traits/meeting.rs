@@ -180,11 +180,7 @@ pub trait ArrangementTraits: UMonotoneTraits {
     /// Appends the u-monotone pieces of a curve, in the order along it, and its isolated points.
     ///
     /// Laws: the pieces have disjoint interiors, or their overlaps are those of the curve with itself; together they are the curve.
-    fn make_u_monotone(
-        &self,
-        curve: &Self::Curve,
-        out: &mut Vec<Piece<Self::Point, Self::UMonotoneCurve>>,
-    );
+    fn make_u_monotone(&self, curve: &Self::Curve, out: &mut Vec<Piece<Self::Point, Self::UMonotoneCurve>>);
 }
 
 /// Curves that run from a source to a target.

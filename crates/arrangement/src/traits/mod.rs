@@ -19,9 +19,9 @@ mod meeting;
 
 pub use basic::BasicTraits;
 pub use boundary::{
-    BoundaryTraits, BoundedTraits, ContractedBottomTopTraits, ContractedLeftRightTraits, IdentifiedBottomTopTraits,
-    IdentifiedLeftRightTraits, NearBottomTopTraits, NearLeftRightTraits, OpenBottomTopTraits,
-    OpenLeftRightTraits,
+    BoundaryTraits, BoundedTraits, ContractedBottomTopTraits, ContractedLeftRightTraits,
+    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, NearBottomTopTraits, NearLeftRightTraits,
+    OpenBottomTopTraits, OpenLeftRightTraits,
 };
 pub use location::{Along, CurveEnd, Location, SideKind, Sides};
 pub use meeting::{

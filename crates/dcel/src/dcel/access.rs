@@ -200,7 +200,13 @@ impl Dcel {
     /// The halfedges that leave `v`, counterclockwise, [`outgoing`](Self::outgoing) first: after `h`
     /// comes the twin of the one before `h`.
     pub fn around(&self, v: VertexId) -> impl Iterator<Item = HalfedgeId> + '_ {
-        self.outgoing(v).into_iter().flat_map(|first| cycle(first, |h| self.prev(h).twin()))
+        let first = self.outgoing(v);
+        let mut at = first;
+        std::iter::from_fn(move || {
+            let h = at?;
+            at = Some(self.prev(h).twin()).filter(|&next| Some(next) != first);
+            Some(h)
+        })
     }
 
     /// The face in which the isolated vertex `v` lies; none if `v` is not isolated.

@@ -6,14 +6,31 @@
 //! | `access` | reading |
 //! | `lists` | the lists of a face |
 //! | `place` | edits that touch no edge |
+//! | `insert`, `remove` | an edge comes, an edge goes |
+//! | `compact` | dense ids again |
+//! | `split` | an edge is split, merged with the next one, turned round |
+//! | `validity`, `euler` | every broken promise; components and genus |
 
 mod access;
+mod compact;
+mod euler;
+mod insert;
 mod lists;
 mod place;
+mod remove;
+mod split;
 #[cfg(test)]
 mod tests;
+mod validity;
+#[cfg(test)]
+mod violations;
 
 use crate::{CcbId, FaceId, HalfedgeId, VertexId};
+pub use compact::Compaction;
+pub use insert::{CcbSplit, Side};
+pub use remove::{EndFate, MergedFaces, Removed};
+pub use validity::{DcelViolation, FaceList};
+
 use lists::{Linked, Links, NONE};
 
 /// The cells of an arrangement of curves on an orientable surface of any genus, and which is next to
@@ -62,6 +79,12 @@ pub struct Halfedge {
     pub source: VertexId,
     /// The CCB on which it lies.
     pub ccb: CcbId,
+}
+
+impl Halfedge {
+    /// The record of a free halfedge.
+    const FREE: Self =
+        Self { next: HalfedgeId::NONE, prev: HalfedgeId::NONE, source: VertexId::NONE, ccb: CcbId::NONE };
 }
 
 /// Whether a CCB has its face inside or around it.
@@ -143,6 +166,11 @@ impl Ccb {
     #[inline]
     fn face(self) -> FaceId {
         FaceId(self.face_and_kind & !INNER)
+    }
+
+    #[inline]
+    fn is_of(self, face: FaceId, kind: CcbKind) -> bool {
+        self.face() == face && self.kind() == kind
     }
 
     #[inline]
@@ -229,6 +257,8 @@ impl Dcel {
     }
 
     /// Makes the structure from its parts. Cells have the ids of their positions.
+    ///
+    /// Nothing is checked; [`check_valid`](Self::check_valid) tells whether the parts fit together.
     ///
     /// # Panics
     /// If the number of halfedges is odd, or a `next`, a face of a CCB, or a vertex or face of an

@@ -174,7 +174,6 @@ impl Dcel {
         self.free_vertices.push(v.0);
     }
 
-    #[expect(dead_code, reason = "used by edits of edges")]
     /// Adds a CCB to the lists of its face.
     pub(super) fn add_ccb(&mut self, first: HalfedgeId, face: FaceId, kind: CcbKind) -> CcbId {
         assert!(self.has_face(face), "a CCB belongs to a face");
@@ -190,7 +189,6 @@ impl Dcel {
         ccb
     }
 
-    #[expect(dead_code, reason = "used by edits of edges")]
     /// Takes a CCB out of the lists of its face, and removes it.
     pub(super) fn remove_ccb(&mut self, ccb: CcbId) {
         let record = self.ccbs[ccb.index()];

@@ -1,6 +1,6 @@
 //! Tests of the structure made in one go.
 
-use super::{CcbKind, Dcel, Halfedge, RawCcb, RawDcel};
+use super::{Ccb, CcbKind, Dcel, Face, Halfedge, Isolated, RawCcb, RawDcel, VertexCell};
 use crate::{CcbId, EdgeId, FaceId, HalfedgeId, VertexId};
 
 fn halfedge(source: u32, next: u32, ccb: u32) -> Halfedge {
@@ -72,4 +72,27 @@ fn what_a_face_has_moves() {
     assert_eq!(dcel.split_face(CcbId(0)), FaceId(0));
     assert_eq!(dcel.inner_ccbs(FaceId(0)).collect::<Vec<_>>(), [CcbId(0)]);
     assert_eq!(dcel.add_vertex(), v);
+}
+
+#[test]
+fn records_are_as_small_as_promised() {
+    assert_eq!(size_of::<Halfedge>(), 16);
+    assert_eq!(size_of::<Ccb>(), 16);
+    assert_eq!(size_of::<Face>(), 12);
+    assert_eq!((size_of::<VertexCell>(), size_of::<Isolated>()), (4, 16));
+}
+
+#[test]
+fn what_is_handed_over_stays_where_it_is() {
+    let raw = RawDcel {
+        halfedges: vec![halfedge(0, 1, 0), halfedge(1, 0, 0)],
+        outgoing: vec![HalfedgeId(0), HalfedgeId(1)],
+        ccbs: vec![RawCcb { first: HalfedgeId(0), face: FaceId(0), kind: CcbKind::Inner }],
+        face_count: 1,
+        isolated: Vec::new(),
+    };
+    let places = (raw.halfedges.as_ptr().addr(), raw.outgoing.as_ptr().addr());
+    let dcel = Dcel::from_parts(raw);
+    assert_eq!((dcel.halfedges.as_ptr().addr(), dcel.vertices.as_ptr().addr()), places);
+    assert_eq!(dcel.check_euler(0), []);
 }

@@ -12,6 +12,7 @@ use crate::stage::{Start, start};
 use crate::tier::{Fixed, Narrow, Ring, Tier};
 use crate::{Integer, Sign, fixed};
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 /// By which coordinates to compare.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -104,7 +105,7 @@ impl Reads for Fixed {
 const NARROW_COMPARE: u32 = 24;
 /// A crossing and a line: 6 terms of 4 k bits, 6 * 2^124 < 2^127.
 const NARROW_SIDE: u32 = 31;
-/// The sum of the bits of the crossing, three times, and of the explicit point: 4 terms, 120 + 2 < 127. With k <= 31.
+/// The bits of the crossing three times (of a line twice) and those of the explicit point: 4 terms, 120 + 2 < 127. With k <= 31 too.
 const NARROW_MIXED: u32 = 120;
 
 #[inline(always)]
@@ -213,6 +214,10 @@ pub(super) fn compare(p: &Point2, q: &Point2, order: Order) -> Ordering {
         }
         (Repr::Crossing { bits, lines }, Repr::Explicit(q)) => {
             compare_to_crossing(q, (u32::from(*bits), lines), order).reverse()
+        }
+        (Repr::Wide(p), Repr::Wide(q)) if !is_forced() && Arc::ptr_eq(p, q) => {
+            count(Stage::Big);
+            Ordering::Equal
         }
         _ => compare_big(p, q, order),
     }

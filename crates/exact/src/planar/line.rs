@@ -1,7 +1,11 @@
 //! Oriented lines of the plane.
 
 use super::Point2;
+use super::decide::are_boxes_skipped;
+use crate::filter::Filtered;
 use crate::gcd::{gcd_u64, gcd_u128};
+use crate::stage::{Stage, count};
+use crate::tier::Ring;
 use crate::{Integer, Rational, Sign};
 use std::cmp::Ordering;
 use std::fmt;
@@ -227,13 +231,28 @@ impl Line2 {
     /// Law: right of the point where two lines cross, the one with the greater slope is above (or is vertical).
     ///
     /// # Complexity
-    /// Degree 2; exact in 128 bits for narrow lines.
+    /// Degree 2; exact in 128 bits for narrow lines, for others after a filter.
     #[inline]
     pub fn compare_slope(&self, other: &Self) -> Ordering {
         if let (Some((l, _)), Some((m, _))) = (self.as_narrow(), other.as_narrow()) {
+            count(Stage::Narrow);
             // -a1/b1 against -a2/b2, times b1 b2; a vertical line has b = 0 and a < 0, and comes out above the others.
             return (i128::from(m.a) * i128::from(l.b)).cmp(&(i128::from(l.a) * i128::from(m.b)));
         }
+        self.compare_wide_slope(other)
+    }
+
+    #[inline(never)]
+    fn compare_wide_slope(&self, other: &Self) -> Ordering {
+        let [[a, b, _], [c, d, _]] =
+            [self, other].map(|line| line.approx_coefficients().map(Filtered::of_nearest));
+        if !are_boxes_skipped()
+            && let Some(sign) = (c * b - a * d).verdict()
+        {
+            count(Stage::Float);
+            return sign.ordering();
+        }
+        count(Stage::Big);
         let ([a, b, _], [c, d, _]) = (self.coefficients(), other.coefficients());
         (c * b).cmp(&(a * d))
     }

@@ -1,6 +1,6 @@
 use super::*;
 use crate::testing::Random;
-use crate::tier::{Stage, Start, force, thread_counts};
+use crate::tier::{Start, force};
 use crate::{Integer, Rational, Sign};
 use std::cmp::Ordering;
 use std::collections::HashSet;
@@ -73,19 +73,19 @@ fn check(points: &[(Point2, [Rational; 2])], lines: &[Line2]) {
         assert_box(p, exact);
     }
     lines.iter().for_each(assert_normal);
-    for l in lines {
-        for m in lines {
-            // None, a vertical line, is the greatest.
-            let expected = match (slope(l), slope(m)) {
-                (Some(s), Some(t)) => s.cmp(&t),
-                (s, t) => s.is_none().cmp(&t.is_none()),
-            };
-            assert_eq!(l.compare_slope(m), expected, "{l}, {m}");
-            assert_eq!(l.is_same(m), l.coefficients() == m.coefficients());
-        }
-    }
     for start in ALL_STARTS {
         let _guard = force(start);
+        for l in lines {
+            for m in lines {
+                // None, a vertical line, is the greatest.
+                let expected = match (slope(l), slope(m)) {
+                    (Some(s), Some(t)) => s.cmp(&t),
+                    (s, t) => s.is_none().cmp(&t.is_none()),
+                };
+                assert_eq!(l.compare_slope(m), expected, "{l}, {m}");
+                assert_eq!(l.is_same(m), l.coefficients() == m.coefficients());
+            }
+        }
         for (p, exact) in points {
             for (q, other) in points {
                 let [x, y] = [0, 1].map(|axis: usize| exact[axis].cmp(&other[axis]));

@@ -89,10 +89,12 @@ fn exact_stages_at_the_limits_of_their_widths() {
             .filter_map(|_| Line2::from_coefficients(&greatest(bits), &greatest(bits), &greatest(2 * bits)))
             .collect();
         let pairs = lines.windows(2).filter_map(|pair| Point2::crossing(&pair[0], &pair[1]));
-        let explicit = [1, 20, 26, 27, 30, 57, 58, 60, 61].map(|bits| {
-            Point2::from_rationals(&[(); 2].map(|()| {
-                Rational::new(greatest(bits).numerator(), greatest(bits).numerator()).unwrap_or_default()
-            }))
+        let explicit = [1, 20, 26, 27, 30, 32, 35, 57, 58, 60, 61].map(|bits| {
+            let weight = greatest(bits).numerator();
+            Point2::from_rationals(
+                &[(); 2]
+                    .map(|()| Rational::new(greatest(bits).numerator(), weight.clone()).unwrap_or_default()),
+            )
         });
         let whole = [20, 27, 60, 61].map(|bits| Point2::from_rationals(&[greatest(bits), greatest(bits)]));
         let points: Vec<_> =
