@@ -4,6 +4,7 @@
 mod rational_segments;
 
 mod laws;
+mod models;
 mod tables;
 
 use rational_segments::{Point, RationalSegments, Segment, point};

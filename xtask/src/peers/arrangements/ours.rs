@@ -2,6 +2,7 @@
 //!
 //! Every function prepares its operands, does the operation once, and times that alone.
 
+use arrangement::models::polycurve::{Polycurve, PolycurveTraits};
 use arrangement::models::{Linear, LinearTraits, Segment, SegmentTraits};
 use arrangement::overlay::{Cell, overlay};
 use arrangement::topology::{BoundedPlane, Topology, UnboundedPlane};
@@ -33,8 +34,12 @@ pub(super) fn build(curves: &Curves) -> Result<Found, Failure> {
             Ok(found(&timed(|| Arrangement::of_curves(LinearTraits, UnboundedPlane, &curves))))
         }
         Curves::Polylines(chains) => {
-            let _ = chains;
-            Err(NO_CURVES.into())
+            let traits = PolycurveTraits::new(SegmentTraits);
+            let polyline = |chain: &Vec<[i64; 2]>| {
+                traits.make_polyline(chain.iter().map(|&point| Point2::from_i64(point)).collect::<Vec<_>>())
+            };
+            let curves: Vec<Polycurve<_, _>> = chains.iter().map(polyline).collect::<Result<_, _>>()?;
+            Ok(found(&timed(|| Arrangement::of_curves(traits, BoundedPlane, &curves))))
         }
         Curves::Points(_) => Err(NO_CURVES.into()),
     }
