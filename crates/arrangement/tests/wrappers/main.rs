@@ -1,5 +1,7 @@
 //! Wrappers: they forward every method, and add what they promise.
 
+#![allow(clippy::unwrap_used)]
+
 #[path = "../common/rational_segments.rs"]
 mod rational_segments;
 
