@@ -8,6 +8,7 @@
 mod curves;
 mod families;
 mod invariance;
+mod laws;
 mod models;
 mod oracle;
 mod random;
