@@ -15,5 +15,6 @@ mod random;
 mod routes;
 mod rows;
 mod torus;
+mod torus_laws;
 mod torus_oracle;
 mod torus_rows;

@@ -48,7 +48,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         }
         for v in self.dcel.vertices() {
             let degree = self.dcel.degree(v) as u32;
-            if met[v.index()] != degree && !found.iter().any(|violation| is_meeting(violation)) {
+            if met[v.index()] != degree && !found.iter().any(is_meeting) {
                 found.push(Violation::Unseen(v));
             }
         }
@@ -190,7 +190,10 @@ impl<G: UMonotoneTraits> SweepVisitor<G> for Checker<'_> {
                 passing.sort_unstable();
                 passing.dedup();
                 // At one point with another vertex is another violation.
-                let are_at_one_point = self.found.iter().any(|violation| matches!(violation, Violation::SamePoint(a, _) if *a == v));
+                let are_at_one_point = self
+                    .found
+                    .iter()
+                    .any(|violation| matches!(violation, Violation::SamePoint(a, _) if *a == v));
                 if !are_at_one_point {
                     self.found.extend(passing.into_iter().map(|e| Violation::VertexOnEdge(v, e)));
                 }

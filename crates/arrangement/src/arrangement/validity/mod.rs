@@ -57,7 +57,9 @@ impl fmt::Display for Violation {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Cells(violation) => violation.fmt(f),
-            Self::Records => write!(f, "there is not one point for each vertex and one support for each edge"),
+            Self::Records => {
+                write!(f, "there is not one point for each vertex and one support for each edge")
+            }
             Self::PointMissing(v) => write!(f, "vertex {} has no point", v.0),
             Self::PointOnSide(v) => write!(f, "vertex {} stands for a side, and has a point", v.0),
             Self::Artificial(v) => write!(f, "vertex {} is artificial, and does not join two edges", v.0),
@@ -91,7 +93,8 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// That of a sweep over the edges.
     pub fn check_valid(&self) -> Vec<Violation> {
         let genus = self.topology.genus() as usize;
-        let mut found: Vec<Violation> = self.dcel.check_euler(genus).into_iter().map(Violation::Cells).collect();
+        let mut found: Vec<Violation> =
+            self.dcel.check_euler(genus).into_iter().map(Violation::Cells).collect();
         let are_complete = self.points.len() >= self.dcel.vertex_bound()
             && self.is_artificial.len() >= self.dcel.vertex_bound()
             && self.supports.len() >= self.dcel.edge_bound();
