@@ -2,7 +2,7 @@
 
 use crate::curves::{Curve, P, Shape, fraction, rational};
 use crate::models::{Linears, MinimalSegments, Model, Numbered, Polylinears, Polylines, Segments, WideTorus};
-use crate::oracle::brute_force;
+use crate::oracle::{brute_force, has_point};
 use crate::routes::{Route, check};
 use testkit::Rng;
 
@@ -69,6 +69,31 @@ fn polycurves_of_linear_curves() {
 #[test]
 fn segments_with_data() {
     run(&Numbered, 500, true);
+}
+
+/// Every edge knows all the curves that run along it, and no others.
+#[test]
+fn edges_have_the_data_of_their_curves() {
+    let mut rng = Rng::new(31);
+    let mut overlaps = 0;
+    for _ in 0..1000 {
+        let seed = rng.state();
+        let curves = random_curves(&mut rng, 8, 3, true);
+        let made = Route::Sweep.build(&Numbered, &curves, &mut rng).expect("segments");
+        for e in made.dcel().edges() {
+            let ends =
+                made.dcel().ends(e).map(|v| made.point(v).expect("segments are bounded").coordinates());
+            let has_edge = |curve: &&Curve| {
+                matches!(curve, Curve::Straight(..)) && ends.iter().all(|p| has_point(curve, p))
+            };
+            let expected: Vec<u32> =
+                (0..).zip(&curves).filter(|(_, curve)| has_edge(curve)).map(|(number, _)| number).collect();
+            let data: Vec<u32> = made.curve_of(e).data.iter().copied().collect();
+            assert_eq!(data, expected, "edge {}, seed {seed}: {curves:?}", e.0);
+            overlaps += u32::from(data.len() > 1);
+        }
+    }
+    assert!(overlaps > 100, "{overlaps}");
 }
 
 #[test]
