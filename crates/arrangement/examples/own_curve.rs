@@ -1,13 +1,11 @@
 //! A model of one's own: circles of the taxicab metric, and arcs of them. `docs/write-your-own-curve.md` walks through it.
 
-#![allow(missing_docs, reason = "the document explains what is not said here")]
+#![allow(missing_docs, unreachable_pub, reason = "the document explains what is not said here")]
 
 use splitstar_arrangement::traits::{
-    ApproxTraits, ArrangementTraits, BasicTraits, BoundedTraits, CurveEnd, Intersection, Meeting,
-    Multiplicity, Piece, UMonotoneTraits, Window,
+    ArrangementTraits, BasicTraits, BoundedTraits, CurveEnd, Intersection, Multiplicity, Piece,
+    UMonotoneTraits,
 };
-use splitstar_arrangement::wrappers::{CountingTraits, Method};
-use splitstar_arrangement::{Arrangement, overlay::Cell, topology::BoundedPlane};
 use std::cmp::Ordering;
 
 /// A point with doubled coordinates: where curves with integer tips cross, these are integers.
@@ -152,6 +150,10 @@ impl ArrangementTraits for TaxicabTraits {
     }
 }
 
+// Optional: what makes the model quicker, and lets it be drawn.
+
+use splitstar_arrangement::traits::{ApproxTraits, Meeting, Window};
+
 /// A quicker `next_meeting`: in the impl it replaces the provided one.
 pub fn next_meeting(below: &Arc, above: &Arc, window: Window<'_, Point>) -> Meeting<Point> {
     let (from, to) = (below.ends[0].u.max(above.ends[0].u), below.ends[1].u.min(above.ends[1].u));
@@ -190,6 +192,11 @@ impl ApproxTraits for TaxicabTraits {
         out.extend([Some(min), tip, Some(max)].into_iter().flatten().map(|p| self.approx_point(p)));
     }
 }
+
+// Use.
+
+use splitstar_arrangement::wrappers::{CountingTraits, Method};
+use splitstar_arrangement::{Arrangement, overlay::Cell, topology::BoundedPlane};
 
 pub fn main() {
     let circle = |x, radius| Curve::Circle { centre: [x, 0], radius };
