@@ -83,18 +83,18 @@
 //! let (overlay, provenance) = overlay_all(&[&red, &blue]);
 //! let counts = overlay.counts();
 //! assert_eq!((counts.vertices, counts.edges, counts.faces), (10, 12, 4));
-//! let is_in_both = |&f: &_| provenance.of_face(f) != [red.corner_face(), blue.corner_face()]
-//!     && provenance.of_face(f)[0] != red.corner_face() && provenance.of_face(f)[1] != blue.corner_face();
+//! let outside = [red.corner_face(), blue.corner_face()];
+//! let is_in_both = |&f: &_| provenance.of_face(f).iter().zip(&outside).all(|(face, outside)| face != outside);
 //! let in_both: Vec<_> = overlay.dcel().faces().filter(is_in_both).collect();
 //! assert_eq!(in_both.len(), 1);
 //!
 //! let points = [[1, 2], [2, 0], [1, 0], [9, 9]].map(Point2::from_i64);
 //! let cells = locate_all(&overlay, &points);
-//! let [Cell::Vertex(crossing), Cell::Vertex(corner), Cell::Edge(side), Cell::Face(outside)] = cells[..] else { panic!() };
+//! let [Cell::Vertex(crossing), Cell::Vertex(corner), Cell::Edge(side), Cell::Face(far)] = cells[..] else { panic!("{cells:?}") };
 //! assert!(matches!(provenance.of_vertex(crossing), [Cell::Edge(_), Cell::Edge(_)]));
 //! assert!(matches!(provenance.of_vertex(corner), [Cell::Vertex(_), Cell::Face(_)]));
 //! assert!(matches!(provenance.of_edge(side), [Cell::Edge(_), Cell::Face(f)] if *f == blue.corner_face()));
-//! assert_eq!(outside, overlay.corner_face());
+//! assert_eq!(far, overlay.corner_face());
 //! # let middle = Point2::from_rationals(&["3/2", "3/2"].map(|text| text.parse().expect("a number")));
 //! # assert_eq!(locate_all(&overlay, &[middle]), [Cell::Face(in_both[0])]);
 //! ```
