@@ -1,5 +1,5 @@
-//! The oracle: all curves consist of diagonal steps between points with integer (doubled) coordinates, so that an arrangement can be
-//! read off a set of steps. Nothing of the model is used.
+//! The oracle: all curves consist of diagonal steps between points with integer (doubled) coordinates, so that an arrangement can
+//! be read off a set of steps. Nothing of the model is used.
 
 use super::own_curve::Curve;
 use std::collections::{BTreeMap, BTreeSet};

@@ -5,7 +5,7 @@ use super::lattice::{self, Node};
 use super::own_curve::{Arc, Curve, Point, TaxicabTraits, next_meeting};
 use splitstar_arrangement::Pieces;
 use splitstar_arrangement::traits::{
-    BasicTraits, CurveEnd, Intersection, Multiplicity, UMonotoneTraits, Window,
+    BasicTraits, CurveEnd, Intersection, Meeting, Multiplicity, UMonotoneTraits, Window,
 };
 use std::cmp::Ordering;
 use std::collections::BTreeSet;
@@ -65,10 +65,9 @@ fn check_pair(a: (&Arc, &[Node]), b: (&Arc, &[Node]), seed: u64) {
             check_next_meeting(a.0, b.0, Some(&p), seed);
         }
     }
-    if let (Some(p), Some(q)) = (a.1.first(), b.1.iter().find(|q| q.0 == a.1[0].0)) {
-        if p.1 < q.1 {
-            check_next_meeting(a.0, b.0, Some(&Point { u: p.0, v: p.1 }), seed);
-        }
+    let (p, above) = (a.1[0], b.1.iter().find(|q| q.0 == a.1[0].0));
+    if above.is_some_and(|q| p.1 < q.1) {
+        check_next_meeting(a.0, b.0, Some(&Point { u: p.0, v: p.1 }), seed);
     }
 }
 
@@ -79,7 +78,6 @@ fn check_next_meeting(below: &Arc, above: &Arc, after: Option<&Point>, seed: u64
     let window = Window { after, until: Some(until), first_to_end };
     let provided = TaxicabTraits.next_meeting(below, above, window);
     let quick = next_meeting(below, above, window);
-    use splitstar_arrangement::traits::Meeting;
     match (&provided, &quick) {
         // It is always right not to know.
         (Meeting::At(p, _), Meeting::At(q, Multiplicity::Unknown)) => assert_eq!(p, q, "seed {seed}"),

@@ -1,5 +1,7 @@
 //! The example of `docs/write-your-own-curve.md`: the document, the laws of the model, and the engine around it.
 
+#![allow(clippy::unwrap_used)]
+
 #[allow(dead_code)]
 #[path = "../../examples/own_curve.rs"]
 mod own_curve;
