@@ -2,7 +2,7 @@
 
 mod approx;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 pub(super) use approx::approx_curve;
 
@@ -66,8 +66,12 @@ pub(super) fn compare_v_at_u_right(a: &impl Straight, b: &impl Straight) -> Orde
 /// Tells whether the u of `p` lies between those of the ends.
 #[inline]
 pub(super) fn is_in_u_range(p: &Point2, curve: &impl Straight) -> bool {
-    curve.end(CurveEnd::Min).is_none_or(|min| compare_x(min, p).is_le())
-        && curve.end(CurveEnd::Max).is_none_or(|max| compare_x(p, max).is_le())
+    let (min, max) = (curve.end(CurveEnd::Min), curve.end(CurveEnd::Max));
+    if (min.is_none() || max.is_none()) && is_vertical(curve) {
+        // The missing end has the same u as all the rest.
+        return side_of_line(p, curve.line().borrow()).is_zero();
+    }
+    min.is_none_or(|min| compare_x(min, p).is_le()) && max.is_none_or(|max| compare_x(p, max).is_le())
 }
 
 /// Finds where two neighbours of a sweep meet, one side test for each pair that does not.
@@ -164,10 +168,7 @@ pub(super) fn split<S: Straight>(curve: &S, p: &Point2) -> [S; 2] {
 
 /// The piece between two points; `None` keeps the end.
 pub(super) fn trim<S: Straight>(curve: &S, min: Option<&Point2>, max: Option<&Point2>) -> S {
-    curve.with_ends([
-        min.or(curve.end(CurveEnd::Min)).cloned(),
-        max.or(curve.end(CurveEnd::Max)).cloned(),
-    ])
+    curve.with_ends([min.or(curve.end(CurveEnd::Min)).cloned(), max.or(curve.end(CurveEnd::Max)).cloned()])
 }
 
 /// Tells which of two curves is the left one if they are pieces of one line that share an end: 0 for the first.
@@ -175,14 +176,8 @@ pub(super) fn left_of_mergeable<S: Straight>(a: &S, b: &S) -> Option<usize> {
     if !a.line().borrow().is_same(b.line().borrow()) {
         return None;
     }
-    let touches = |left: &S, right: &S| {
-        matches!((left.end(CurveEnd::Max), right.end(CurveEnd::Min)), (Some(p), Some(q)) if p == q)
-    };
-    if touches(a, b) {
-        Some(0)
-    } else {
-        touches(b, a).then_some(1)
-    }
+    let touches = |left: &S, right: &S| matches!((left.end(CurveEnd::Max), right.end(CurveEnd::Min)), (Some(p), Some(q)) if p == q);
+    if touches(a, b) { Some(0) } else { touches(b, a).then_some(1) }
 }
 
 /// Both as one piece, directed as the first, if they are pieces of one line that share an end.
