@@ -104,6 +104,7 @@ fn check_all(curves: &[Curve], random: &mut Random, name: &str) {
     let (first, second) = shuffled.split_at(random.below(shuffled.len() as u32 + 1) as usize);
     let mut grown = make(first);
     grown.insert_curves(second);
+    assert_eq!(arrangement.difference(&grown), None, "{name}, in two halves: {first:?} {second:?}");
     assert_eq!(shape(&grown), expected, "{name}, in two halves: {first:?} {second:?}");
 
     let [red, blue] = [make(first), make(second)];
