@@ -34,7 +34,7 @@ const ROWS: &[(&str, &str, [usize; 5])] = &[
     ("T from below", "segment 0 0 4 0, segment 2 0 2 -2", [4, 3, 1, 0, 1]),
     ("T from the left", "segment 2 0 2 4, segment 0 1 2 1", [4, 3, 1, 0, 1]),
     ("T from the right", "segment 2 0 2 4, segment 2 1 4 3", [4, 3, 1, 0, 1]),
-    ("T on a diagonal", "segment 0 0 6 3, segment 2 1 2 5, segment 4 2 0 9", [6, 5, 2, 0, 1]),
+    ("T on a diagonal", "segment 0 0 6 3, segment 2 1 2 9, segment 4 2 0 9", [7, 7, 2, 0, 1]),
     ("T from both sides", "segment 0 0 4 0, segment 2 0 2 2, segment 2 0 1 -2", [5, 4, 1, 0, 1]),
     ("T of many", "segment 0 0 4 0, segment 2 0 1 2, segment 2 0 2 2, segment 2 0 3 2, segment 2 0 4 4", [
         7, 6, 1, 0, 1,

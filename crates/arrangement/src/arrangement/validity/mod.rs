@@ -6,6 +6,8 @@
 //!    wrong faces (`embedding`). Nothing is believed of what the arrangement says.
 
 mod embedding;
+#[cfg(test)]
+mod tests;
 
 use super::Arrangement;
 use super::build::Builder;
