@@ -3,7 +3,7 @@
 use super::Arrangement;
 use crate::topology::Topology;
 use crate::traits::BasicTraits;
-use dcel::{HalfedgeId, VertexId};
+use dcel::VertexId;
 
 /// Numbers of cells.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug, Default)]
@@ -23,15 +23,13 @@ pub struct Counts {
 impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
     /// Counts the cells as a user sees them: edges that meet in an artificial vertex are one.
     ///
-    /// A closed curve without any other vertex keeps one of its artificial ones.
+    /// A closed curve without any other vertex keeps one of its artificial ones: see [`Arrangement::user_view`].
     ///
     /// # Complexity
     /// Linear.
     pub fn counts(&self) -> Counts {
-        let counts = self.counts_with_splits();
-        let artificial = self.dcel.vertices().filter(|&v| self.is_artificial(v)).count();
-        let hidden = artificial - self.artificial_cycles();
-        Counts { vertices: counts.vertices - hidden, edges: counts.edges - hidden, ..counts }
+        let (counts, view) = (self.counts_with_splits(), self.user_view());
+        Counts { vertices: view.vertex_count(), edges: view.edge_count(), ..counts }
     }
 
     /// Counts the cells as they are stored, artificial vertices included. CGAL and the tables of the papers count so.
@@ -54,48 +52,6 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
     /// All of them meet in one vertex, or in one for each open side that is a point of its own.
     pub fn ends_at_infinity(&self) -> usize {
         self.dcel.vertices().filter(|&v| self.is_at_infinity(v)).map(|v| self.dcel.degree(v)).sum()
-    }
-
-    /// The closed curves all of whose vertices are artificial.
-    fn artificial_cycles(&self) -> usize {
-        let mut is_seen = vec![false; self.dcel.vertex_bound()];
-        let mut cycles = 0;
-        for v in self.dcel.vertices() {
-            if !is_seen[v.index()] && self.is_artificial(v) {
-                let first = self.dcel.outgoing(v).expect("an artificial vertex has two edges");
-                cycles += usize::from(self.follow(first, &mut is_seen));
-                if !self.is_cycle(first) {
-                    self.follow(self.dcel.next(first.twin()), &mut is_seen);
-                }
-            }
-        }
-        cycles
-    }
-
-    /// Walks along artificial vertices from the source of a halfedge, and tells whether it comes back to it.
-    fn follow(&self, first: HalfedgeId, is_seen: &mut [bool]) -> bool {
-        let mut h = first;
-        loop {
-            is_seen[self.dcel.source(h).index()] = true;
-            if !self.is_artificial(self.dcel.target(h)) {
-                return false;
-            }
-            h = self.dcel.next(h);
-            if h == first {
-                return true;
-            }
-        }
-    }
-
-    fn is_cycle(&self, first: HalfedgeId) -> bool {
-        let mut h = first;
-        while self.is_artificial(self.dcel.target(h)) {
-            h = self.dcel.next(h);
-            if h == first {
-                return true;
-            }
-        }
-        false
     }
 
     /// Components of what is drawn: curves that only meet at infinity are not connected.

@@ -2,16 +2,22 @@
 //!
 //! | layer | files | role |
 //! |---|---|---|
-//! | the object | `mod`, `counts`, `validity` | cells, what lies where, how many there are, every violation |
+//! | the object | `mod`, `counts`, `view` | cells, what lies where, how many there are, what a user sees |
+//! | checking | `validity`, `isomorphism`, `around` | every violation; are two the same; the geometric order around a vertex |
 //! | making it | `build`, `assemble` | cells from a sweep; an arrangement from cells and supports |
 
+mod around;
 pub(crate) mod assemble;
 pub(crate) mod build;
 mod counts;
+mod isomorphism;
 mod validity;
+mod view;
 
 pub use counts::Counts;
+pub use isomorphism::Difference;
 pub use validity::Violation;
+pub use view::{UserEdgeId, UserView};
 
 use crate::topology::Topology;
 use crate::traits::{BasicTraits, UMonotoneTraits};
