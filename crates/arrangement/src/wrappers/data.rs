@@ -221,11 +221,7 @@ where
 {
     type Curve = WithData<G::Curve, D>;
 
-    fn make_u_monotone(
-        &self,
-        curve: &Self::Curve,
-        out: &mut Vec<Piece<Self::Point, Self::UMonotoneCurve>>,
-    ) {
+    fn make_u_monotone(&self, curve: &Self::Curve, out: &mut Vec<Piece<Self::Point, Self::UMonotoneCurve>>) {
         let mut pieces = Vec::new();
         self.traits.make_u_monotone(&curve.curve, &mut pieces);
         out.extend(pieces.into_iter().map(|piece| match piece {

@@ -129,11 +129,7 @@ impl<G: UMonotoneTraits, W: Watch> UMonotoneTraits for WatchedTraits<G, W> {
 impl<G: ArrangementTraits, W: Watch> ArrangementTraits for WatchedTraits<G, W> {
     type Curve = G::Curve;
 
-    fn make_u_monotone(
-        &self,
-        curve: &Self::Curve,
-        out: &mut Vec<Piece<Self::Point, Self::UMonotoneCurve>>,
-    ) {
+    fn make_u_monotone(&self, curve: &Self::Curve, out: &mut Vec<Piece<Self::Point, Self::UMonotoneCurve>>) {
         watched!(self, MakeUMonotone, make_u_monotone(untold curve) appends out)
     }
 }

@@ -58,10 +58,8 @@ impl fmt::Display for PolycurveError {
 impl Error for PolycurveError {}
 
 /// A polycurve of pieces of the model `S`.
-pub(super) type PolycurveOf<S> = Polycurve<
-    <S as crate::traits::BasicTraits>::Point,
-    <S as crate::traits::BasicTraits>::UMonotoneCurve,
->;
+pub(super) type PolycurveOf<S> =
+    Polycurve<<S as crate::traits::BasicTraits>::Point, <S as crate::traits::BasicTraits>::UMonotoneCurve>;
 
 /// Pieces of curves, each with the number of its curve.
 pub(super) type Numbered<S> = Vec<(
@@ -159,11 +157,7 @@ impl<S: PieceTraits> ArrangementTraits for PolycurveTraits<S> {
     type Curve = Polycurve<S::Point, S::UMonotoneCurve>;
 
     /// Appends the chains of a polycurve, which was cut when it was made.
-    fn make_u_monotone(
-        &self,
-        curve: &Self::Curve,
-        out: &mut Vec<Piece<Self::Point, Self::UMonotoneCurve>>,
-    ) {
+    fn make_u_monotone(&self, curve: &Self::Curve, out: &mut Vec<Piece<Self::Point, Self::UMonotoneCurve>>) {
         out.extend_from_slice(curve.parts());
     }
 }

@@ -75,7 +75,9 @@ impl<S: PieceTraits> UMonotoneTraits for PolycurveTraits<S> {
         let (before, after) = (lower.pieces(), upper.pieces());
         let (last, first) = (lower.end_piece(CurveEnd::Max), upper.end_piece(CurveEnd::Min));
         let pieces: Vec<_> = match self.pieces.merge(last, first) {
-            Some(merged) => before[..before.len() - 1].iter().chain([&merged]).chain(&after[1..]).cloned().collect(),
+            Some(merged) => {
+                before[..before.len() - 1].iter().chain([&merged]).chain(&after[1..]).cloned().collect()
+            }
             None => before.iter().chain(after).cloned().collect(),
         };
         Some(Chain::new(pieces, lower.is_directed_right()))

@@ -164,10 +164,7 @@ pub(super) fn split<S: Straight>(curve: &S, p: &Point2) -> [S; 2] {
 
 /// The piece between two points; `None` keeps the end.
 pub(super) fn trim<S: Straight>(curve: &S, min: Option<&Point2>, max: Option<&Point2>) -> S {
-    curve.with_ends([
-        min.or(curve.end(CurveEnd::Min)).cloned(),
-        max.or(curve.end(CurveEnd::Max)).cloned(),
-    ])
+    curve.with_ends([min.or(curve.end(CurveEnd::Min)).cloned(), max.or(curve.end(CurveEnd::Max)).cloned()])
 }
 
 /// Tells which of two curves is the left one if they are pieces of one line that share an end: 0 for the first.
@@ -175,14 +172,8 @@ pub(super) fn left_of_mergeable<S: Straight>(a: &S, b: &S) -> Option<usize> {
     if !a.line().borrow().is_same(b.line().borrow()) {
         return None;
     }
-    let touches = |left: &S, right: &S| {
-        matches!((left.end(CurveEnd::Max), right.end(CurveEnd::Min)), (Some(p), Some(q)) if p == q)
-    };
-    if touches(a, b) {
-        Some(0)
-    } else {
-        touches(b, a).then_some(1)
-    }
+    let touches = |left: &S, right: &S| matches!((left.end(CurveEnd::Max), right.end(CurveEnd::Min)), (Some(p), Some(q)) if p == q);
+    if touches(a, b) { Some(0) } else { touches(b, a).then_some(1) }
 }
 
 /// Both as one piece, directed as the first, if they are pieces of one line that share an end.

@@ -24,8 +24,8 @@ pub use segment::TorusSegment;
 use super::straight::{self, Straight};
 use crate::traits::{
     Along, ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, CurveEnd, DirectionalTraits,
-    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, Location, Meeting, Multiplicity, Piece,
-    UMonotoneTraits, Window,
+    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, Location, Meeting, Multiplicity,
+    Piece, UMonotoneTraits, Window,
 };
 use exact::planar::{Point2, compare_x, compare_xy, compare_y};
 use exact::{Rational, Sign};
@@ -51,7 +51,11 @@ impl fmt::Display for TorusError {
                 write!(f, "the period along {} is not positive", ["u", "v"][axis & 1])
             }
             Self::TooManyPieces => {
-                write!(f, "the path winds round the torus so often that it has more than {} pieces", TorusPath::MAX_PIECES)
+                write!(
+                    f,
+                    "the path winds round the torus so often that it has more than {} pieces",
+                    TorusPath::MAX_PIECES
+                )
             }
         }
     }
@@ -281,8 +285,8 @@ impl UMonotoneTraits for TorusSegmentTraits {
     }
 
     fn trim(&self, curve: &TorusSegment, min: Option<&Point2>, max: Option<&Point2>) -> TorusSegment {
-        let [min, max] = [(CurveEnd::Min, min), (CurveEnd::Max, max)]
-            .map(|(end, p)| Some(Self::place_of(curve, end, p)));
+        let [min, max] =
+            [(CurveEnd::Min, min), (CurveEnd::Max, max)].map(|(end, p)| Some(Self::place_of(curve, end, p)));
         straight::trim(curve, min, max)
     }
 }

@@ -85,7 +85,8 @@ impl TorusPath {
             };
             let back = axes.each_ref().map(|axis| -axis.origin());
             let place = |[u, v]: &[Rational; 2]| Point2::from_rationals(&[u + &back[0], v + &back[1]]);
-            let curve = TorusSegment::new(&self.torus, line.translated(&back), place(&source), place(&target));
+            let curve =
+                TorusSegment::new(&self.torus, line.translated(&back), place(&source), place(&target));
             let is_target_artificial = !is_last || self.is_closed;
             let is_artificial = match source.cmp(&target) {
                 Ordering::Less => [is_source_artificial, is_target_artificial],
