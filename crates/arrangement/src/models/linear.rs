@@ -4,6 +4,9 @@
 //! |---|---|---|---|---|
 //! | [`LinearTraits`] | [`Point2`] | [`Linear`] | [`Linear`] | open left, right, bottom and top |
 
+#[cfg(test)]
+mod tests;
+
 use super::Segment;
 use super::straight::{Straight, straight_traits};
 use crate::traits::{

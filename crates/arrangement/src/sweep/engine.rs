@@ -1,13 +1,13 @@
 //! Events in order, and the status line kept up to date.
 
-use super::input::{NO_GROUP, SweepInput};
+use super::input::{InputCurve, NO_GROUP, SweepInput};
 use super::queue::{Ahead, Queue};
 use super::status::{NIL, Status, StrandData};
-use super::visitor::{Around, Event, Strand, SweepVisitor};
+use super::visitor::{Around, Event, Link, Strand, SweepVisitor};
 use crate::topology::{Site, Topology};
 use crate::traits::{Along, Meeting, Multiplicity, SideKind, Sides, UMonotoneTraits, Window};
 use std::cmp::Ordering;
-use std::ops::ControlFlow;
+use std::ops::{ControlFlow, Range};
 
 /// Sweeps over the input, and tells the visitor of every event, until it answers `Break`.
 ///
@@ -36,52 +36,74 @@ pub(super) struct Buffers<T> {
     pub(super) curves: Vec<u32>,
 }
 
+/// A site in the order in which sites are met.
+#[derive(Debug)]
+pub(super) struct Stop<'i, G: UMonotoneTraits> {
+    pub(super) site: Site<'i, G>,
+    /// The curves that begin here, and one of those that end here.
+    pub(super) starts: Range<u32>,
+    any_end: u32,
+    /// The first of a list of curves that pass through here, in `passing`.
+    passing: u32,
+}
+
+/// What the sweep needs of a curve, in one place.
+pub(super) struct Way<'i, G: UMonotoneTraits> {
+    pub(super) curve: &'i G::UMonotoneCurve,
+    /// The point where it ends, if that is in the interior.
+    until: Option<&'i G::Point>,
+    /// The place of the site where it ends among the stops.
+    pub(super) end: u32,
+    group: u32,
+}
+
 pub(super) struct Engine<'a, 'i, G: UMonotoneTraits, T, Tag> {
     pub(super) traits: &'a G,
     pub(super) topology: &'a T,
-    pub(super) input: &'a SweepInput<'i, G>,
     sides: Sides,
-    /// The sites in the order in which they are met, and the place of each in it.
-    pub(super) order: Vec<u32>,
-    rank: Vec<u32>,
-    pub(super) status: Status<Tag>,
+    /// The sites in the order in which they are met: their numbers, and what is there.
+    order: Vec<u32>,
+    pub(super) stops: Vec<Stop<'i, G>>,
+    pub(super) ways: Vec<Way<'i, G>>,
+    /// For each curve its node on the status line, and the next curve of the same strand.
+    pub(super) links: Vec<Link>,
+    pub(super) status: Status<&'i G::UMonotoneCurve, Tag>,
     pub(super) queue: Queue<G::Point>,
-    /// The node of each curve on the status line.
-    node_of: Vec<u32>,
-    /// The next curve of the same strand.
-    pub(super) links: Vec<u32>,
-    /// For each site, a list of curves that pass through it, in `passing`.
-    passing_head: Vec<u32>,
     passing: Vec<(u32, u32)>,
     /// The number of the current event.
     now: u32,
 }
 
 impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a, 'i, G, T, Tag> {
-    fn new(traits: &'a G, topology: &'a T, input: &'a SweepInput<'i, G>) -> Self {
-        let sites = input.sites.len();
-        let mut order: Vec<u32> = (0..sites as u32).collect();
-        let compare = |a: u32, b: u32| {
-            topology.compare_sites(traits, &input.sites[a as usize], &input.sites[b as usize])
-        };
+    fn new(traits: &'a G, topology: &'a T, input: &SweepInput<'i, G>) -> Self {
+        let sites = &input.sites;
+        let mut order: Vec<u32> = (0..sites.len() as u32).collect();
         // Stable, and quick where the sites are already in order, as those of an arrangement usually are.
-        order.sort_by(|&a, &b| compare(a, b));
-        let mut rank = vec![0; sites];
+        order.sort_by(|&a, &b| topology.compare_sites(traits, &sites[a as usize], &sites[b as usize]));
+        let mut rank = vec![0; sites.len()];
         for (place, &site) in order.iter().enumerate() {
             rank[site as usize] = place as u32;
         }
+        let stop = |&site: &u32| {
+            let site = site as usize;
+            let starts = input.first_start[site]..input.first_start[site + 1];
+            Stop { site: sites[site], starts, any_end: input.any_end[site], passing: NIL }
+        };
+        let way = |&InputCurve { curve, ends, group }: &InputCurve<'i, G>| {
+            let end = &sites[ends[1] as usize];
+            let until = end.point().filter(|_| end.location.is_interior());
+            Way { curve, until, end: rank[ends[1] as usize], group }
+        };
         Self {
             traits,
             topology,
-            input,
             sides: topology.sides(),
+            stops: order.iter().map(stop).collect(),
             order,
-            rank,
+            ways: input.curves.iter().map(way).collect(),
+            links: vec![Link { node: NIL, next: NIL }; input.curves.len()],
             status: Status::new(),
             queue: Queue::new(),
-            node_of: vec![NIL; input.curves.len()],
-            links: vec![NIL; input.curves.len()],
-            passing_head: vec![NIL; sites],
             passing: Vec::new(),
             now: 0,
         }
@@ -90,17 +112,17 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
     fn run<V: SweepVisitor<G, Tag = Tag>>(&mut self, visitor: &mut V) -> ControlFlow<()> {
         let mut buffers =
             Buffers { nodes: Vec::new(), left: Vec::new(), right: Vec::new(), curves: Vec::new() };
-        let (traits, input) = (self.traits, self.input);
+        let traits = self.traits;
         let is_less = |p: &G::Point, q: &G::Point| traits.compare_uv(p, q) == Ordering::Less;
         let mut cursor = 0;
         loop {
-            let meeting_first = match (self.order.get(cursor), self.queue.first()) {
+            let meeting_first = match (self.stops.get(cursor), self.queue.first()) {
                 (None, None) => return ControlFlow::Continue(()),
                 (Some(_), None) => Ordering::Greater,
                 (None, Some(_)) => Ordering::Less,
-                (Some(&site), Some(ahead)) => {
+                (Some(stop), Some(ahead)) => {
                     let meeting = Site::interior(&ahead.point);
-                    self.topology.compare_sites(traits, &meeting, &input.sites[site as usize])
+                    self.topology.compare_sites(traits, &meeting, &stop.site)
                 }
             };
             let (from, met) = (cursor, self.queue_pop_if(meeting_first.is_le(), is_less));
@@ -109,7 +131,7 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
             }
             let site = match &met {
                 Some(ahead) => Site::interior(&ahead.point),
-                None => input.sites[self.order[from] as usize],
+                None => self.stops[from].site,
             };
             let mut multiplicity = match &met {
                 Some(ahead) if cursor == from => ahead.multiplicity,
@@ -118,7 +140,7 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
             // Mark the strands that end here or pass through.
             let mut hit = NIL;
             for place in from..cursor {
-                hit = self.mark_site(self.order[place], hit);
+                hit = self.mark_stop(place, hit);
             }
             if let Some(ahead) = &met {
                 for curve in ahead.curves {
@@ -164,9 +186,9 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
 
     /// The place after the sites that are equal to the one at `cursor`.
     fn end_of_equal_sites(&self, cursor: usize) -> usize {
-        let site = |place: usize| &self.input.sites[self.order[place] as usize];
+        let site = |place: usize| &self.stops[place].site;
         let mut end = cursor + 1;
-        while end < self.order.len()
+        while end < self.stops.len()
             && self.topology.compare_sites(self.traits, site(cursor), site(end)) == Ordering::Equal
         {
             end += 1;
@@ -174,24 +196,23 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
         end
     }
 
-    /// Marks the strands that are known to go through a site, and gives one of them.
-    fn mark_site(&mut self, site: u32, mut hit: u32) -> u32 {
-        let ended = self.input.any_end[site as usize];
-        if ended != NIL {
-            hit = self.mark_curve(ended, hit);
+    /// Marks the strands that are known to go through a stop, and gives one of them.
+    fn mark_stop(&mut self, place: usize, mut hit: u32) -> u32 {
+        let Stop { any_end, mut passing, .. } = self.stops[place];
+        if any_end != NIL {
+            hit = self.mark_curve(any_end, hit);
         }
-        let mut link = self.passing_head[site as usize];
-        while link != NIL {
-            let (curve, next) = self.passing[link as usize];
+        while passing != NIL {
+            let (curve, next) = self.passing[passing as usize];
             hit = self.mark_curve(curve, hit);
-            link = next;
+            passing = next;
         }
         hit
     }
 
     #[inline]
     fn mark_curve(&mut self, curve: u32, hit: u32) -> u32 {
-        let node = self.node_of[curve as usize];
+        let node = self.links[curve as usize].node;
         if node == NIL {
             return hit;
         }
@@ -202,7 +223,7 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
     /// Looks for a site through which no strand is known to go: the node below it, or the one that goes through it.
     fn locate(&self, site: &Site<'_, G>) -> Result<u32, u32> {
         let status = &self.status;
-        let curve = |node: u32| self.input.curve(status.strand(node).head as usize);
+        let curve = |node: u32| status.strand(node).curve;
         match (site.location.u, site.location.v) {
             // Only curves along the left side are met before what follows on it.
             (Along::Low, _) => match (status.last(), site.point()) {
@@ -267,15 +288,15 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
         }
         let mut node = first;
         while node != NIL && (node == hit || self.goes_through(node, end_rank)) {
-            let StrandData { head, tag } = *self.status.strand(node);
+            let StrandData { head, tag, .. } = *self.status.strand(node);
             nodes.push(node);
             left.push(Strand { head, tag });
             let mut curve = head;
             while curve != NIL {
-                if self.rank[self.input.curves[curve as usize].ends[1] as usize] >= end_rank {
+                if self.ways[curve as usize].end >= end_rank {
                     curves.push(curve);
                 }
-                curve = self.links[curve as usize];
+                curve = self.links[curve as usize].next;
             }
             node = self.status.next(node);
         }
@@ -289,10 +310,10 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
         }
         let mut curve = self.status.strand(node).head;
         while curve != NIL {
-            if self.rank[self.input.curves[curve as usize].ends[1] as usize] < end_rank {
+            if self.ways[curve as usize].end < end_rank {
                 return true;
             }
-            curve = self.links[curve as usize];
+            curve = self.links[curve as usize].next;
         }
         false
     }
@@ -303,7 +324,8 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
         let mut last = below;
         let mut reused = nodes.iter();
         for strand in right.iter() {
-            let data = StrandData { head: strand.head, tag: strand.tag };
+            let curve = self.ways[strand.head as usize].curve;
+            let data = StrandData { head: strand.head, curve, tag: strand.tag };
             let node = match reused.next() {
                 Some(&node) => {
                     self.status.set_strand(node, data);
@@ -313,8 +335,8 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
             };
             let mut curve = strand.head;
             while curve != NIL {
-                self.node_of[curve as usize] = node;
-                curve = self.links[curve as usize];
+                self.links[curve as usize].node = node;
+                curve = self.links[curve as usize].next;
             }
             if !G::MEET_ONCE && last != below {
                 self.ask(last, node, site);
@@ -340,26 +362,22 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
             return;
         }
         let curves = [below, above].map(|node| self.status.strand(node).head);
-        let [lower, upper] = curves.map(|curve| &self.input.curves[curve as usize]);
+        let [lower, upper] = curves.map(|curve| &self.ways[curve as usize]);
         if lower.group == upper.group && lower.group != NO_GROUP {
             return;
         }
-        let ranks = [lower, upper].map(|curve| self.rank[curve.ends[1] as usize]);
-        let first_to_end = usize::from(ranks[1] < ranks[0]);
-        let end_site = [lower, upper][first_to_end].ends[1];
-        let end = &self.input.sites[end_site as usize];
-        let window = Window {
-            after: site.point().filter(|_| site.location.is_interior()),
-            until: end.point().filter(|_| end.location.is_interior()),
-            first_to_end,
-        };
+        let first_to_end = usize::from(upper.end < lower.end);
+        let Way { until, end, .. } = *[lower, upper][first_to_end];
+        let after = site.point().filter(|_| site.location.is_interior());
+        let window = Window { after, until, first_to_end };
         match self.traits.next_meeting(lower.curve, upper.curve, window) {
             Meeting::Never => {}
             Meeting::At(point, multiplicity) => self.push_meeting(point, curves, multiplicity),
             Meeting::AtEnd => {
                 let link = self.passing.len() as u32;
-                self.passing.push((curves[1 - first_to_end], self.passing_head[end_site as usize]));
-                self.passing_head[end_site as usize] = link;
+                let stop = &mut self.stops[end as usize];
+                self.passing.push((curves[1 - first_to_end], stop.passing));
+                stop.passing = link;
             }
         }
     }

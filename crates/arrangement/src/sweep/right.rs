@@ -22,11 +22,10 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
         right.clear();
         let going_on = curves.len();
         for place in places.clone() {
-            let site = self.order[place] as usize;
-            curves.extend(self.input.first_start[site]..self.input.first_start[site + 1]);
+            curves.extend(self.stops[place].starts.clone());
         }
         let begins = curves.len() > going_on;
-        let is_single = curves.iter().take(going_on).all(|&curve| self.links[curve as usize] == NIL);
+        let is_single = curves.iter().take(going_on).all(|&curve| self.links[curve as usize].next == NIL);
         if !begins && is_single && (G::MEET_ONCE || going_on == 2 && multiplicity == Multiplicity::Odd) {
             // Straight curves through one point all change sides.
             curves.reverse();
@@ -37,7 +36,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
             return self.bundle(site, right, curves);
         }
         for &curve in curves.iter() {
-            self.links[curve as usize] = NIL;
+            self.links[curve as usize].next = NIL;
             right.push(Strand { head: curve, tag: Tag::default() });
         }
     }
@@ -50,7 +49,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
     }
 
     fn compare_right(&self, a: u32, b: u32, p: &G::Point) -> Ordering {
-        self.traits.compare_v_at_u_right(self.input.curve(a as usize), self.input.curve(b as usize), p)
+        self.traits.compare_v_at_u_right(self.ways[a as usize].curve, self.ways[b as usize].curve, p)
     }
 
     /// Puts sorted curves that overlap into one strand each. Curves at a site without a point are there because they overlap.
@@ -63,13 +62,13 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
                 .count();
             let mut last = head;
             for &curve in &others[..overlapping] {
-                self.links[last as usize] = curve;
+                self.links[last as usize].next = curve;
                 last = curve;
                 if !G::MEET_ONCE {
                     self.note_end_of_overlap(head, curve, site);
                 }
             }
-            self.links[last as usize] = NIL;
+            self.links[last as usize].next = NIL;
             right.push(Strand { head, tag: Tag::default() });
             rest = &others[overlapping..];
         }
@@ -78,13 +77,13 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
     /// Two curves that overlap may part before either ends: that is an event.
     fn note_end_of_overlap(&mut self, a: u32, b: u32, site: &Site<'_, G>) {
         let mut common = Vec::new();
-        self.traits.intersect(self.input.curve(a as usize), self.input.curve(b as usize), &mut common);
+        self.traits.intersect(self.ways[a as usize].curve, self.ways[b as usize].curve, &mut common);
         let is_ahead = |point: &G::Point| {
             let meeting = Site::interior(point);
             self.topology.compare_sites(self.traits, &meeting, site) == Ordering::Greater
                 && [a, b].into_iter().all(|curve| {
-                    let end = self.input.site(self.input.ends(curve as usize)[1]);
-                    self.topology.compare_sites(self.traits, &meeting, &end) == Ordering::Less
+                    let end = &self.stops[self.ways[curve as usize].end as usize].site;
+                    self.topology.compare_sites(self.traits, &meeting, end) == Ordering::Less
                 })
         };
         let end = common.iter().find_map(|intersection| match intersection {

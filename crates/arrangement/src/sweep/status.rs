@@ -8,26 +8,28 @@ pub(super) const NIL: u32 = u32::MAX;
 
 /// Curves that run together between two events, and what the visitor attached to them.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct StrandData<T> {
+pub(super) struct StrandData<C, T> {
     /// The first curve of the list of those that run here.
     pub(super) head: u32,
+    /// That curve itself.
+    pub(super) curve: C,
     pub(super) tag: T,
 }
 
 #[derive(Clone, Debug)]
-struct Node<T> {
+struct Node<C, T> {
     parent: u32,
     child: [u32; 2],
     priority: u32,
     prev: u32,
     next: u32,
     mark: u32,
-    strand: StrandData<T>,
+    strand: StrandData<C, T>,
 }
 
 #[derive(Debug)]
-pub(super) struct Status<T> {
-    nodes: Vec<Node<T>>,
+pub(super) struct Status<C, T> {
+    nodes: Vec<Node<C, T>>,
     free: Vec<u32>,
     root: u32,
     first: u32,
@@ -35,7 +37,7 @@ pub(super) struct Status<T> {
     random: u32,
 }
 
-impl<T: Copy> Status<T> {
+impl<C: Copy, T: Copy> Status<C, T> {
     pub(super) fn new() -> Self {
         Self { nodes: Vec::new(), free: Vec::new(), root: NIL, first: NIL, last: NIL, random: 0x9E37_79B9 }
     }
@@ -69,12 +71,12 @@ impl<T: Copy> Status<T> {
     }
 
     #[inline]
-    pub(super) fn strand(&self, node: u32) -> &StrandData<T> {
+    pub(super) fn strand(&self, node: u32) -> &StrandData<C, T> {
         &self.nodes[node as usize].strand
     }
 
     #[inline]
-    pub(super) fn set_strand(&mut self, node: u32, strand: StrandData<T>) {
+    pub(super) fn set_strand(&mut self, node: u32, strand: StrandData<C, T>) {
         self.nodes[node as usize].strand = strand;
     }
 
@@ -90,7 +92,7 @@ impl<T: Copy> Status<T> {
     }
 
     /// Inserts a strand above a node, or at the bottom if `below` is `NIL`.
-    pub(super) fn insert_above(&mut self, below: u32, strand: StrandData<T>) -> u32 {
+    pub(super) fn insert_above(&mut self, below: u32, strand: StrandData<C, T>) -> u32 {
         let above = if below == NIL { self.first } else { self.next(below) };
         let priority = self.next_priority();
         let node =
@@ -214,7 +216,7 @@ mod tests {
             if model.len() < 3 || draw(5) < 3 {
                 let place = draw(model.len() + 1);
                 let below = if place == 0 { NIL } else { model[place - 1].0 };
-                let node = status.insert_above(below, StrandData { head: step, tag: () });
+                let node = status.insert_above(below, StrandData { head: step, curve: (), tag: () });
                 model.insert(place, (node, step));
             } else {
                 let (node, _) = model.remove(draw(model.len()));
@@ -231,7 +233,7 @@ mod tests {
         }
     }
 
-    fn in_order(status: &Status<()>, node: u32) -> Vec<u32> {
+    fn in_order(status: &Status<(), ()>, node: u32) -> Vec<u32> {
         if node == NIL {
             return Vec::new();
         }

@@ -45,6 +45,13 @@ impl<T> Strand<T> {
     }
 }
 
+/// Where a curve is on the status line, and the next curve of the same strand.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Link {
+    pub(super) node: u32,
+    pub(super) next: u32,
+}
+
 /// What is around an event.
 #[derive(Debug)]
 pub struct Around<'s, T> {
@@ -56,7 +63,7 @@ pub struct Around<'s, T> {
     pub left: &'s [Strand<T>],
     /// The subcurves that begin here, from bottom to top.
     pub right: &'s mut [Strand<T>],
-    pub(super) links: &'s [u32],
+    pub(super) links: &'s [Link],
 }
 
 impl<T> Around<'_, T> {
@@ -68,14 +75,14 @@ impl<T> Around<'_, T> {
     /// Tells whether several curves overlap in a subcurve that begins here.
     #[inline]
     pub fn is_overlap(&self, right: usize) -> bool {
-        self.links[self.right[right].head as usize] != super::status::NIL
+        self.links[self.right[right].head as usize].next != super::status::NIL
     }
 }
 
 /// The curves of a subcurve.
 #[derive(Clone, Debug)]
 pub struct Members<'s> {
-    links: &'s [u32],
+    links: &'s [Link],
     next: u32,
 }
 
@@ -87,7 +94,7 @@ impl Iterator for Members<'_> {
             return None;
         }
         let curve = self.next as usize;
-        self.next = self.links[curve];
+        self.next = self.links[curve].next;
         Some(curve)
     }
 }

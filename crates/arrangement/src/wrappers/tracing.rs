@@ -14,7 +14,6 @@ use std::fmt::{self, Debug};
 ///     let lines = Mutex::new(Vec::new());
 ///     let traced = TracingTraits::new(traits, |call: &Call<'_>| lines.lock().unwrap().push(call.to_string()));
 ///     traced.compare_uv(p, q);
-///     drop(traced);
 ///     lines.into_inner().unwrap()
 /// }
 /// ```

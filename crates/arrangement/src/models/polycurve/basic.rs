@@ -1,10 +1,10 @@
 //! Predicates on chains: each is asked of the piece at the point.
 
-use super::{Chain, PolycurveTraits};
+use super::{Chain, PieceTraits, PolycurveTraits};
 use crate::traits::{BasicTraits, CurveEnd, DirectionalTraits};
 use std::cmp::Ordering;
 
-impl<S: BasicTraits> BasicTraits for PolycurveTraits<S> {
+impl<S: PieceTraits> BasicTraits for PolycurveTraits<S> {
     type Point = S::Point;
     type UMonotoneCurve = Chain<S::UMonotoneCurve>;
 
@@ -30,7 +30,7 @@ impl<S: BasicTraits> BasicTraits for PolycurveTraits<S> {
 
     #[inline]
     fn compare_v_at_u(&self, p: &Self::Point, curve: &Self::UMonotoneCurve) -> Ordering {
-        let piece = self.piece_after(curve, p);
+        let piece = self.piece_at_u(curve, p);
         self.pieces.compare_v_at_u(p, &curve.pieces()[piece])
     }
 
@@ -62,17 +62,20 @@ impl<S: BasicTraits> BasicTraits for PolycurveTraits<S> {
     }
 
     fn is_in_u_range(&self, p: &Self::Point, curve: &Self::UMonotoneCurve) -> bool {
-        let piece = self.piece_after(curve, p);
+        let piece = self.piece_at_u(curve, p);
         self.pieces.is_in_u_range(p, &curve.pieces()[piece])
     }
 
     fn is_on_curve(&self, p: &Self::Point, curve: &Self::UMonotoneCurve) -> bool {
+        if !self.pieces.is_joint_allowed(p) {
+            return CurveEnd::BOTH.into_iter().any(|end| self.pieces.is_on_curve(p, curve.end_piece(end)));
+        }
         let piece = self.piece_after(curve, p);
         self.pieces.is_on_curve(p, &curve.pieces()[piece])
     }
 }
 
-impl<S: BasicTraits> DirectionalTraits for PolycurveTraits<S> {
+impl<S: PieceTraits> DirectionalTraits for PolycurveTraits<S> {
     #[inline]
     fn is_directed_right(&self, curve: &Self::UMonotoneCurve) -> bool {
         curve.is_directed_right()

@@ -1,6 +1,6 @@
 //! What is known of the ends of chains: it is known of their first and last pieces.
 
-use super::{Chain, PolycurveTraits};
+use super::{Chain, PieceTraits, PolycurveTraits};
 use crate::traits::{
     ApproxTraits, BoundaryTraits, BoundedTraits, ContractedBottomTopTraits, ContractedLeftRightTraits,
     CurveEnd, IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Location, NearBottomTopTraits,
@@ -8,16 +8,16 @@ use crate::traits::{
 };
 use std::cmp::Ordering;
 
-impl<S: BoundedTraits> BoundedTraits for PolycurveTraits<S> {}
+impl<S: PieceTraits + BoundedTraits> BoundedTraits for PolycurveTraits<S> {}
 
-impl<S: BoundaryTraits> BoundaryTraits for PolycurveTraits<S> {
+impl<S: PieceTraits + BoundaryTraits> BoundaryTraits for PolycurveTraits<S> {
     #[inline]
     fn end_location(&self, curve: &Self::UMonotoneCurve, end: CurveEnd) -> Location {
         self.pieces.end_location(curve.end_piece(end), end)
     }
 }
 
-impl<S: NearLeftRightTraits> NearLeftRightTraits for PolycurveTraits<S> {
+impl<S: PieceTraits + NearLeftRightTraits> NearLeftRightTraits for PolycurveTraits<S> {
     fn compare_v_near_side(
         &self,
         a: &Self::UMonotoneCurve,
@@ -28,7 +28,7 @@ impl<S: NearLeftRightTraits> NearLeftRightTraits for PolycurveTraits<S> {
     }
 }
 
-impl<S: NearBottomTopTraits> NearBottomTopTraits for PolycurveTraits<S> {
+impl<S: PieceTraits + NearBottomTopTraits> NearBottomTopTraits for PolycurveTraits<S> {
     fn compare_u_near_end(&self, p: &Self::Point, curve: &Self::UMonotoneCurve, end: CurveEnd) -> Ordering {
         self.pieces.compare_u_near_end(p, curve.end_piece(end), end)
     }
@@ -42,12 +42,12 @@ impl<S: NearBottomTopTraits> NearBottomTopTraits for PolycurveTraits<S> {
     }
 }
 
-impl<S: OpenLeftRightTraits> OpenLeftRightTraits for PolycurveTraits<S> {}
-impl<S: OpenBottomTopTraits> OpenBottomTopTraits for PolycurveTraits<S> {}
-impl<S: ContractedLeftRightTraits> ContractedLeftRightTraits for PolycurveTraits<S> {}
-impl<S: ContractedBottomTopTraits> ContractedBottomTopTraits for PolycurveTraits<S> {}
+impl<S: PieceTraits + OpenLeftRightTraits> OpenLeftRightTraits for PolycurveTraits<S> {}
+impl<S: PieceTraits + OpenBottomTopTraits> OpenBottomTopTraits for PolycurveTraits<S> {}
+impl<S: PieceTraits + ContractedLeftRightTraits> ContractedLeftRightTraits for PolycurveTraits<S> {}
+impl<S: PieceTraits + ContractedBottomTopTraits> ContractedBottomTopTraits for PolycurveTraits<S> {}
 
-impl<S: IdentifiedLeftRightTraits> IdentifiedLeftRightTraits for PolycurveTraits<S> {
+impl<S: PieceTraits + IdentifiedLeftRightTraits> IdentifiedLeftRightTraits for PolycurveTraits<S> {
     fn is_on_left_right(&self, p: &Self::Point) -> bool {
         self.pieces.is_on_left_right(p)
     }
@@ -57,7 +57,7 @@ impl<S: IdentifiedLeftRightTraits> IdentifiedLeftRightTraits for PolycurveTraits
     }
 }
 
-impl<S: IdentifiedBottomTopTraits> IdentifiedBottomTopTraits for PolycurveTraits<S> {
+impl<S: PieceTraits + IdentifiedBottomTopTraits> IdentifiedBottomTopTraits for PolycurveTraits<S> {
     fn is_on_bottom_top(&self, p: &Self::Point) -> bool {
         self.pieces.is_on_bottom_top(p)
     }
@@ -67,7 +67,7 @@ impl<S: IdentifiedBottomTopTraits> IdentifiedBottomTopTraits for PolycurveTraits
     }
 }
 
-impl<S: ApproxTraits> ApproxTraits for PolycurveTraits<S> {
+impl<S: PieceTraits + ApproxTraits> ApproxTraits for PolycurveTraits<S> {
     fn approx_point(&self, p: &Self::Point) -> [f64; 2] {
         self.pieces.approx_point(p)
     }

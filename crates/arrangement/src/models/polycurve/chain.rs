@@ -1,7 +1,7 @@
 //! A u-monotone chain, and the piece of it that a question is about.
 
-use super::PolycurveTraits;
-use crate::traits::{BasicTraits, CurveEnd};
+use super::{PieceTraits, PolycurveTraits};
+use crate::traits::CurveEnd;
 use std::sync::Arc;
 
 /// A u-monotone chain of u-monotone pieces.
@@ -58,7 +58,7 @@ impl<C: Clone> Chain<C> {
     }
 }
 
-impl<S: BasicTraits> PolycurveTraits<S> {
+impl<S: PieceTraits> PolycurveTraits<S> {
     /// The joint after a piece; `None` after the last one.
     #[inline]
     pub(super) fn joint_after<'a>(
@@ -72,15 +72,32 @@ impl<S: BasicTraits> PolycurveTraits<S> {
     }
 
     /// The piece of a chain at `p`; at a joint, the one after it. The first or last one if `p` is before or after the chain.
+    ///
+    /// A point on a side is taken as the `Min` end: chains come to sides only with their ends.
     #[inline]
     pub(super) fn piece_after(&self, chain: &Chain<S::UMonotoneCurve>, p: &S::Point) -> usize {
+        if !self.pieces.is_joint_allowed(p) {
+            return 0;
+        }
         self.find(chain, |joint| self.pieces.compare_uv(joint, p).is_le())
     }
 
-    /// The piece of a chain at `p`; at a joint, the one before it.
+    /// The piece of a chain at `p`; at a joint, the one before it. A point on a side is taken as the `Max` end.
     #[inline]
     pub(super) fn piece_before(&self, chain: &Chain<S::UMonotoneCurve>, p: &S::Point) -> usize {
+        if !self.pieces.is_joint_allowed(p) {
+            return chain.last();
+        }
         self.find(chain, |joint| self.pieces.compare_uv(joint, p).is_lt())
+    }
+
+    /// A piece of a chain above or below `p`, wherever `p` is.
+    #[inline]
+    pub(super) fn piece_at_u(&self, chain: &Chain<S::UMonotoneCurve>, p: &S::Point) -> usize {
+        let piece = self.find(chain, |joint| self.pieces.compare_uv(joint, p).is_le());
+        // A point on an identified left side is one on the right side, too.
+        let is_found = self.pieces.is_joint_allowed(p) || self.pieces.is_in_u_range(p, &chain.pieces[piece]);
+        if is_found { piece } else { chain.last() }
     }
 
     /// The number of joints that are passed, all of which come before those that are not.

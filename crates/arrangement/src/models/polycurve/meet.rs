@@ -23,7 +23,12 @@ impl<S: PieceTraits> UMonotoneTraits for PolycurveTraits<S> {
         let mut common = Common { traits: &self.pieces, from: out.len(), overlap: Vec::new(), out };
         loop {
             self.pieces.intersect(&a.pieces()[i], &b.pieces()[j], &mut found);
-            found.drain(..).for_each(|intersection| common.add(intersection, a.is_directed_right()));
+            for intersection in found.drain(..) {
+                match &intersection {
+                    Intersection::Point(p, _) if !self.pieces.is_joint_allowed(p) => {}
+                    _ => common.add(intersection, a.is_directed_right()),
+                }
+            }
             let [last_a, last_b] = [i == a.last(), j == b.last()];
             let end = |chain, piece, is_last| match is_last {
                 false => self.joint_after(chain, piece),
@@ -47,6 +52,8 @@ impl<S: PieceTraits> UMonotoneTraits for PolycurveTraits<S> {
             j += usize::from(order.is_ge());
         }
         common.flush(a.is_directed_right());
+        let from = common.from;
+        self.add_points_on_sides(a, b, from, out);
     }
 
     fn split(&self, curve: &Self::UMonotoneCurve, p: &Self::Point) -> [Self::UMonotoneCurve; 2] {
@@ -67,7 +74,7 @@ impl<S: PieceTraits> UMonotoneTraits for PolycurveTraits<S> {
         [chain(lower), chain(upper)]
     }
 
-    /// Joins two chains that share an end, run in one direction, and are vertical both or neither.
+    /// Joins two chains that share an end, if both are vertical or neither is. The result is directed as `a`.
     ///
     /// If the pieces that touch can be merged, they are, so that merging undoes splitting.
     fn merge(&self, a: &Self::UMonotoneCurve, b: &Self::UMonotoneCurve) -> Option<Self::UMonotoneCurve> {
@@ -80,7 +87,7 @@ impl<S: PieceTraits> UMonotoneTraits for PolycurveTraits<S> {
             }
             None => before.iter().chain(after).cloned().collect(),
         };
-        Some(Chain::new(pieces, lower.is_directed_right()))
+        Some(Chain::new(pieces, a.is_directed_right()))
     }
 
     fn is_mergeable(&self, a: &Self::UMonotoneCurve, b: &Self::UMonotoneCurve) -> bool {
@@ -160,13 +167,52 @@ impl<S: PieceTraits> PolycurveTraits<S> {
         self.end_point(chain, end).filter(|p| self.pieces.is_joint_allowed(p))
     }
 
+    /// Adds to what two chains have in common the points on sides, where chains end. One is in several places of the parameter
+    /// space, so the walk cannot find it.
+    fn add_points_on_sides(
+        &self,
+        a: &Chain<S::UMonotoneCurve>,
+        b: &Chain<S::UMonotoneCurve>,
+        from: usize,
+        out: &mut Vec<Intersection<S::Point, Chain<S::UMonotoneCurve>>>,
+    ) {
+        let before = out.len();
+        for (chain, other) in [(a, b), (b, a)] {
+            for end in CurveEnd::BOTH {
+                let Some(p) = self.end_point(chain, end).filter(|p| !self.pieces.is_joint_allowed(p)) else {
+                    continue;
+                };
+                let is_known = |intersection: &Intersection<_, _>| match intersection {
+                    Intersection::Point(q, _) => self.is_same_point(p, q),
+                    Intersection::Overlap(piece) => self.is_on_curve(p, piece),
+                };
+                if self.is_on_curve(p, other) && !out[from..].iter().any(is_known) {
+                    out.push(Intersection::Point(p.clone(), Multiplicity::Unknown));
+                }
+            }
+        }
+        if out.len() > before {
+            out[from..].sort_by(|x, y| {
+                let [x, y] = [x, y].map(|intersection| match intersection {
+                    Intersection::Point(p, _) => Some(p),
+                    Intersection::Overlap(piece) => self.end_point(piece, CurveEnd::Min),
+                });
+                // What has no point begins on an open side, before all others.
+                match (x, y) {
+                    (Some(x), Some(y)) => self.compare_uv(x, y),
+                    _ => x.is_some().cmp(&y.is_some()),
+                }
+            });
+        }
+    }
+
     /// Two chains that can be merged, the smaller first.
     fn in_order<'a>(
         &self,
         a: &'a Chain<S::UMonotoneCurve>,
         b: &'a Chain<S::UMonotoneCurve>,
     ) -> Option<[&'a Chain<S::UMonotoneCurve>; 2]> {
-        if a.is_directed_right() != b.is_directed_right() || self.is_vertical(a) != self.is_vertical(b) {
+        if self.is_vertical(a) != self.is_vertical(b) {
             return None;
         }
         [[a, b], [b, a]].into_iter().find(|[lower, upper]| {

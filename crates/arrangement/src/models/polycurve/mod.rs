@@ -32,8 +32,24 @@ pub use piece::{ConnectTraits, PieceTraits};
 
 /// Chains of curves of the model `S`.
 ///
-/// It has every refinement that `S` has, except that it must not itself be the model of another `PolycurveTraits`: chains of chains
-/// are chains. It is directional, whether `S` is or not: a chain runs as the polycurve that it was cut from.
+/// It has every refinement that `S` has. It is directional, whether `S` is or not: a chain runs as the polycurve that it was cut from.
+///
+/// ```
+/// use exact::planar::Point2;
+/// use splitstar_arrangement::Arrangement;
+/// use splitstar_arrangement::models::{SegmentTraits, polycurve::PolycurveTraits};
+/// use splitstar_arrangement::topology::BoundedPlane;
+///
+/// let traits = PolycurveTraits::new(SegmentTraits);
+/// let polyline = |vertices: &[[i64; 2]]| traits.make_polyline(vertices.iter().copied().map(Point2::from_i64));
+/// let triangle = polyline(&[[0, 0], [4, 0], [2, 3], [0, 0]])?;
+/// let zigzag = polyline(&[[0, 1], [1, 2], [2, 1], [3, 2], [4, 1]])?;
+/// let arrangement = Arrangement::of_curves(traits, BoundedPlane, [&triangle, &zigzag]);
+/// // Both ends of the zigzag, and two crossings: corners and joints are no vertices.
+/// assert_eq!(arrangement.counts().vertices, 4);
+/// assert_eq!(arrangement.counts().faces, 3);
+/// # Ok::<(), splitstar_arrangement::models::polycurve::PolycurveError>(())
+/// ```
 ///
 /// # Complexity
 /// Every predicate takes a predicate of `S`, and O(log m) comparisons of points for chains of m pieces.

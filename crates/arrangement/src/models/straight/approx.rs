@@ -3,8 +3,7 @@
 use super::Straight;
 use crate::traits::CurveEnd;
 use exact::Rational;
-use exact::planar::Line2;
-use exact::planar::Point2;
+use exact::planar::{Line2, Point2};
 use std::borrow::Borrow;
 
 /// Appends both ends of the part of a curve between two points; an end at infinity is put where the line leaves the window.

@@ -2,7 +2,7 @@
 
 mod approx;
 #[cfg(test)]
-mod tests;
+pub(super) mod tests;
 
 pub(super) use approx::approx_curve;
 
@@ -66,8 +66,12 @@ pub(super) fn compare_v_at_u_right(a: &impl Straight, b: &impl Straight) -> Orde
 /// Tells whether the u of `p` lies between those of the ends.
 #[inline]
 pub(super) fn is_in_u_range(p: &Point2, curve: &impl Straight) -> bool {
-    curve.end(CurveEnd::Min).is_none_or(|min| compare_x(min, p).is_le())
-        && curve.end(CurveEnd::Max).is_none_or(|max| compare_x(p, max).is_le())
+    let (min, max) = (curve.end(CurveEnd::Min), curve.end(CurveEnd::Max));
+    if (min.is_none() || max.is_none()) && is_vertical(curve) {
+        // The missing end has the same u as all the rest.
+        return side_of_line(p, curve.line().borrow()).is_zero();
+    }
+    min.is_none_or(|min| compare_x(min, p).is_le()) && max.is_none_or(|max| compare_x(p, max).is_le())
 }
 
 /// Finds where two neighbours of a sweep meet, one side test for each pair that does not.

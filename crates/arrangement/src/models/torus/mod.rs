@@ -252,7 +252,7 @@ impl UMonotoneTraits for TorusSegmentTraits {
             Intersection::Point(point, _) => point.clone(),
             Intersection::Overlap(piece) => piece.point(CurveEnd::Min).clone(),
         };
-        out[first..].sort_by(|x, y| start(x).cmp(&start(y)));
+        out[first..].sort_by_cached_key(start);
     }
 
     fn split(&self, curve: &TorusSegment, p: &Point2) -> [TorusSegment; 2] {

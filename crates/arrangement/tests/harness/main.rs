@@ -1,0 +1,13 @@
+//! One harness for all models, topologies and routes.
+//!
+//! Curves are data (`curves`): a table of degenerate families with stated counts (`rows`, `families`), and random ones of small
+//! coordinates, so that everything degenerate happens. Every model that can carry them (`models`) makes the arrangement by every
+//! route (`routes`); all must be valid and the same. Brute force on all pairs, written without the predicates of the library, says
+//! what the cells are (`oracle`, on the torus `torus_oracle`). `laws` checks each predicate by itself.
+
+mod curves;
+mod families;
+mod models;
+mod oracle;
+mod routes;
+mod rows;
