@@ -3,7 +3,6 @@
 use arrangement::models::polycurve::PolycurveTraits;
 use arrangement::models::{Linear, LinearTraits, TorusSegmentTraits};
 use arrangement::topology::{FlatTorus, UnboundedPlane};
-use arrangement::traits::{ArrangementTraits, Piece};
 use arrangement::{Arrangement, Pieces};
 use exact::Rational;
 use exact::planar::Point2;
@@ -11,7 +10,7 @@ use splitstar_formats::StarArrangement;
 
 /// A curve of a test: coordinates in quarters.
 #[derive(Clone, Debug)]
-pub enum Row {
+pub(crate) enum Row {
     Segment([i64; 4]),
     Ray([i64; 4]),
     Line([i64; 4]),
@@ -27,12 +26,12 @@ fn quarter(value: i64) -> Rational {
     Rational::new(value.into(), 4.into()).unwrap()
 }
 
-pub fn point([x, y]: [i64; 2]) -> Point2 {
+pub(crate) fn point([x, y]: [i64; 2]) -> Point2 {
     Point2::from_rationals(&[quarter(x), quarter(y)])
 }
 
 /// A straight curve; `None` if it is a point, or another curve.
-pub fn linear(row: &Row) -> Option<Linear> {
+pub(crate) fn linear(row: &Row) -> Option<Linear> {
     let ends = |[a, b, c, d]: [i64; 4]| [point([a, b]), point([c, d])];
     match row {
         Row::Segment(row) => {
@@ -52,7 +51,7 @@ pub fn linear(row: &Row) -> Option<Linear> {
 }
 
 /// Straight curves and points of the plane.
-pub fn linear_arrangement(rows: &[Row]) -> StarArrangement {
+pub(crate) fn linear_arrangement(rows: &[Row]) -> StarArrangement {
     let curves: Vec<Linear> = rows.iter().filter_map(linear).collect();
     let mut pieces = Pieces::of_curves(&LinearTraits, &curves);
     pieces.points.extend(points(rows));
@@ -67,7 +66,7 @@ fn points(rows: &[Row]) -> impl Iterator<Item = Point2> + '_ {
 }
 
 /// Straight curves, polylines and points of the plane.
-pub fn polycurve_arrangement(rows: &[Row]) -> StarArrangement {
+pub(crate) fn polycurve_arrangement(rows: &[Row]) -> StarArrangement {
     let traits = PolycurveTraits::new(LinearTraits);
     let polycurve = |row: &Row| match row {
         Row::Polyline(points) => Some(traits.make_polyline(points.iter().map(|&p| point(p))).unwrap()),
@@ -80,27 +79,38 @@ pub fn polycurve_arrangement(rows: &[Row]) -> StarArrangement {
 }
 
 /// Paths and points of a torus, whose periods are integers.
-pub fn torus_arrangement(period: [i64; 2], rows: &[Row]) -> StarArrangement {
+pub(crate) fn torus_arrangement(period: [i64; 2], rows: &[Row]) -> StarArrangement {
     let traits = TorusSegmentTraits::new(period.map(Rational::from)).unwrap();
-    let mut pieces = Pieces::default();
-    let mut buffer = Vec::new();
+    let paths = rows.iter().filter_map(|row| match row {
+        Row::Path(start, by) => Some(traits.path(&point(*start), &by.map(quarter)).unwrap()),
+        Row::Closed(through, winding) => Some(traits.closed_path(&point(*through), *winding).unwrap()),
+        Row::Point(p) => Some(traits.path(&point(*p), &[Rational::ZERO, Rational::ZERO]).unwrap()),
+        _ => None,
+    });
+    let paths: Vec<_> = paths.collect();
+    Arrangement::of_curves(traits, FlatTorus, &paths).into()
+}
+
+/// Paths, polylines and points of a torus.
+pub(crate) fn torus_polycurve_arrangement(period: [i64; 2], rows: &[Row]) -> StarArrangement {
+    let pieces = TorusSegmentTraits::new(period.map(Rational::from)).unwrap();
+    let traits = PolycurveTraits::new(pieces.clone());
+    let mut polycurves = Vec::new();
     for row in rows {
-        let path = match row {
-            Row::Path(start, by) => traits.path(&point(*start), &by.map(quarter)),
-            Row::Closed(through, winding) => traits.closed_path(&point(*through), *winding),
-            Row::Point(p) => traits.path(&point(*p), &[Rational::ZERO, Rational::ZERO]),
+        let paths = match row {
+            Row::Path(start, by) => vec![pieces.path(&point(*start), &by.map(quarter)).unwrap()],
+            Row::Closed(through, winding) => vec![pieces.closed_path(&point(*through), *winding).unwrap()],
+            Row::Point(p) => vec![pieces.path(&point(*p), &[Rational::ZERO, Rational::ZERO]).unwrap()],
+            Row::Polyline(points) if points.len() > 1 => {
+                let path = |pair: &[[i64; 2]]| {
+                    let by = [0, 1].map(|i| quarter(pair[1][i] - pair[0][i]));
+                    pieces.path(&point(pair[0]), &by).unwrap()
+                };
+                points.windows(2).map(path).collect()
+            }
             _ => continue,
         };
-        traits.make_u_monotone(&path.unwrap(), &mut buffer);
+        polycurves.push(traits.make_polycurve_of(&paths).unwrap());
     }
-    for piece in buffer {
-        match piece {
-            Piece::Curve { curve, is_artificial } => {
-                pieces.curves.push(curve);
-                pieces.is_artificial.push(is_artificial);
-            }
-            Piece::Point(point) => pieces.points.push(point),
-        }
-    }
-    Arrangement::of_pieces(traits, FlatTorus, pieces).into()
+    Arrangement::of_curves(traits, FlatTorus, &polycurves).into()
 }

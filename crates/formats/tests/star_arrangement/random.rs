@@ -1,19 +1,21 @@
 //! Random arrangements come back, their texts do not depend on the order of curves, and changed texts are read or refused.
 
-use super::models::{Row, linear_arrangement, polycurve_arrangement, torus_arrangement};
+use super::models::{
+    Row, linear_arrangement, polycurve_arrangement, torus_arrangement, torus_polycurve_arrangement,
+};
 use super::{comes_back, read, write};
 use splitstar_formats::{StarArrangement, read_arrangement};
 
 /// Numbers of a sequence that a seed gives.
-pub struct Numbers(u64);
+pub(crate) struct Numbers(u64);
 
 impl Numbers {
-    pub fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         println!("seed {seed}");
         Self(seed)
     }
 
-    pub fn next(&mut self) -> u64 {
+    pub(crate) fn next(&mut self) -> u64 {
         self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
         let mut z = self.0;
         z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -21,7 +23,7 @@ impl Numbers {
         z ^ (z >> 31)
     }
 
-    pub fn below(&mut self, bound: u64) -> u64 {
+    pub(crate) fn below(&mut self, bound: u64) -> u64 {
         self.next() % bound
     }
 
@@ -58,14 +60,15 @@ impl Numbers {
         (0..count).map(|_| row(self)).collect()
     }
 
-    fn torus(&mut self) -> Vec<Row> {
+    fn torus(&mut self, has_polylines: bool) -> Vec<Row> {
         let count = self.below(6);
         let row = |numbers: &mut Self| {
             let start = numbers.pair(8);
             let [dx, dy] = numbers.pair(19).map(|d| d - 9);
-            match numbers.below(6) {
+            match numbers.below(if has_polylines { 9 } else { 6 }) {
                 0 => Row::Point(start),
                 1 => Row::Closed(start, [dx % 3, dy % 3]),
+                6.. => Row::Polyline((0..2 + numbers.below(4)).map(|_| numbers.pair(11)).collect()),
                 _ => Row::Path(start, [dx, dy]),
             }
         };
@@ -89,12 +92,21 @@ fn torus(rows: &[Row]) -> StarArrangement {
     torus_arrangement([2, 1], rows)
 }
 
-const MAKERS: [(&str, Make); 3] =
-    [("linear", linear_arrangement), ("polycurves", polycurve_arrangement), ("torus", torus)];
+fn torus_polycurves(rows: &[Row]) -> StarArrangement {
+    torus_polycurve_arrangement([2, 1], rows)
+}
+
+const MAKERS: [(&str, Make); 4] = [
+    ("linear", linear_arrangement),
+    ("polycurves", polycurve_arrangement),
+    ("torus", torus),
+    ("torus polycurves", torus_polycurves),
+];
 
 fn rows(numbers: &mut Numbers, name: &str) -> Vec<Row> {
     match name {
-        "torus" => numbers.torus(),
+        "torus" => numbers.torus(false),
+        "torus polycurves" => numbers.torus(true),
         name => numbers.plane(name == "polycurves"),
     }
 }

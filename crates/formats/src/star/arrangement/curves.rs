@@ -7,7 +7,7 @@ use crate::base::places::Place;
 use crate::base::scan::Token;
 use crate::base::words::read_coordinate;
 use crate::star::line::Line;
-use arrangement::models::polycurve::{Chain, PolycurveTraits};
+use arrangement::models::polycurve::{Chain, PieceTraits, PolycurveTraits};
 use arrangement::models::{Linear, LinearTraits, TorusSegment, TorusSegmentTraits};
 use arrangement::traits::{ArrangementTraits, Piece};
 use exact::planar::Point2;
@@ -16,19 +16,30 @@ use exact::{Rational, Sign};
 /// The surface, and the curves on it.
 #[derive(Debug)]
 pub(super) enum Curves {
-    /// Of the plane, as long as all are straight.
-    Linear(Vec<Linear>),
-    Chains(Vec<Chain<Linear>>),
-    Torus(TorusSegmentTraits, Vec<TorusSegment>),
+    Plane(List<Linear>),
+    Torus(TorusSegmentTraits, List<TorusSegment>),
 }
 
-/// A curve takes twice its size in a growing list, and lines, points and their images on the heap.
-const OF_LINEAR: u64 = 2 * size_of::<Linear>() as u64;
-/// In the list and in the chain, and in that of a part of it.
-const OF_PIECE: u64 = 3 * (size_of::<Linear>() + 24) as u64;
+/// Curves as long as each is one piece, and then chains.
+#[derive(Debug)]
+pub(super) enum List<C> {
+    Single(Vec<C>),
+    Chains(Vec<Chain<C>>),
+}
+
+/// What a piece of this size takes in growing lists; that of a torus has two points on the heap.
+const fn of_piece<C>() -> u64 {
+    2 * (size_of::<C>() + size_of::<Point2>()) as u64
+}
+
+/// What it takes in a chain, and in that of a part of it.
+const fn of_chained<C>() -> u64 {
+    3 * (size_of::<C>() + size_of::<Point2>()) as u64
+}
+
 /// What it takes to put a piece into a chain, as long as that lasts.
-const PUTTING_PIECE: u64 = 4 * (size_of::<Linear>() + 32) as u64;
-const OF_PATH: u64 = (2 * size_of::<TorusSegment>() + 2 * size_of::<Point2>() + 64) as u64;
+const PUTTING_PIECE: u64 = 4 * (size_of::<TorusSegment>() + 2 * size_of::<Point2>()) as u64;
+const OF_CHAIN: u64 = 64;
 /// Numbers with so many digits or less take no memory of their own, in points and lines that have no more.
 const SHORT: usize = 9;
 /// What a digit takes of another number: in a point, in lines through it, and in copies of these.
@@ -73,11 +84,12 @@ impl Curves {
         const SURFACE: &str = "`plane` or `torus`";
         let word = line.expect(SURFACE)?;
         let curves = match word.bytes {
-            b"plane" => Self::Linear(Vec::new()),
+            b"plane" => Self::Plane(List::Single(Vec::new())),
             b"torus" => {
                 let period = read_pair(line, budget, "one of two periods")?.map(Number::into_rational);
                 let traits = TorusSegmentTraits::new(period);
-                Self::Torus(traits.map_err(|error| malformed(line.number, error.to_string()))?, Vec::new())
+                let traits = traits.map_err(|error| malformed(line.number, error.to_string()))?;
+                Self::Torus(traits, List::Single(Vec::new()))
             }
             _ => return Err(word.unexpected(SURFACE)),
         };
@@ -88,67 +100,86 @@ impl Curves {
     pub(super) fn traits_of_torus(&self) -> Option<&TorusSegmentTraits> {
         match self {
             Self::Torus(traits, _) => Some(traits),
-            Self::Linear(_) | Self::Chains(_) => None,
+            Self::Plane(_) => None,
         }
     }
 
     /// What the part of a curve for one edge takes, while edges are checked.
     pub(super) fn bytes_of_part(&self) -> u64 {
         match self {
-            Self::Linear(_) => size_of::<Linear>() as u64,
-            Self::Chains(_) => OF_PIECE,
-            Self::Torus(..) => OF_PATH,
+            Self::Plane(list) => list.bytes_of_part(),
+            Self::Torus(_, list) => list.bytes_of_part(),
         }
     }
 
     /// Reads what follows the number of a curve.
     pub(super) fn read(&mut self, line: &mut Line<'_>, budget: &mut Budget) -> Result<(), Located> {
-        if let Self::Torus(traits, paths) = self {
-            budget.charge(OF_PATH).at_line(line.number)?;
-            paths.push(read_path(traits, line, budget)?);
-            return line.end();
-        }
-        const KINDS: &str = "`segment`, `ray`, `line` or `polyline`";
-        let word = line.expect(KINDS)?;
-        match word.bytes {
-            b"polyline" => {
-                let chain = read_polyline(line, budget)?;
-                self.push_chain(chain, line.number, budget)
-            }
-            b"segment" | b"ray" | b"line" => {
-                let curve = read_straight(word, line, budget)?;
-                self.push_linear(curve, line.number, budget)
-            }
-            _ => Err(word.unexpected(KINDS)),
-        }
-    }
-
-    fn push_linear(&mut self, curve: Linear, line: u32, budget: &mut Budget) -> Result<(), Located> {
         match self {
-            Self::Linear(curves) => {
-                budget.charge(OF_LINEAR).at_line(line)?;
-                curves.push(curve);
-                Ok(())
+            Self::Torus(traits, list) => {
+                let pieces = read_path(traits, line, budget)?;
+                list.push(PolycurveTraits::new(traits.clone()), pieces, line.number, budget)
             }
-            _ => {
-                let chain = chain_of(vec![curve]).expect("one piece is a chain");
-                self.push_chain(chain, line, budget)
+            Self::Plane(list) => {
+                const KINDS: &str = "`segment`, `ray`, `line` or `polyline`";
+                let word = line.expect(KINDS)?;
+                let pieces = match word.bytes {
+                    b"polyline" => read_polyline(line, budget)?,
+                    b"segment" | b"ray" | b"line" => vec![read_straight(word, line, budget)?],
+                    _ => return Err(word.unexpected(KINDS)),
+                };
+                list.push(PolycurveTraits::new(LinearTraits), pieces, line.number, budget)
             }
         }
     }
+}
 
-    /// Straight curves that came before become chains.
-    fn push_chain(&mut self, chain: Chain<Linear>, line: u32, budget: &mut Budget) -> Result<(), Located> {
-        if let Self::Linear(curves) = self {
-            budget.charge((OF_PIECE + 64) * curves.len() as u64).at_line(line)?;
+impl<C: Clone> List<C> {
+    fn bytes_of_part(&self) -> u64 {
+        match self {
+            Self::Single(_) => of_piece::<C>() / 2,
+            Self::Chains(_) => of_chained::<C>(),
+        }
+    }
+
+    /// Appends a curve of one piece or more, which must be one chain.
+    fn push<S: PieceTraits<UMonotoneCurve = C>>(
+        &mut self,
+        traits: PolycurveTraits<S>,
+        mut pieces: Vec<C>,
+        line: u32,
+        budget: &mut Budget,
+    ) -> Result<(), Located> {
+        if let Self::Single(curves) = self {
+            if pieces.len() == 1 {
+                budget.charge(of_piece::<C>()).at_line(line)?;
+                curves.append(&mut pieces);
+                return Ok(());
+            }
+            // Those that came before become chains.
+            budget.charge((of_chained::<C>() + OF_CHAIN) * curves.len() as u64).at_line(line)?;
             let chains = std::mem::take(curves).into_iter();
-            let chains = chains.map(|curve| chain_of(vec![curve]).expect("one piece is a chain"));
+            let chains = chains.map(|curve| chain_of(&traits, vec![curve]).expect("one piece is a chain"));
             *self = Self::Chains(chains.collect());
         }
-        let Self::Chains(chains) = self else { unreachable!("chains are curves of the plane") };
-        budget.charge(64 + OF_PIECE * chain.pieces().len() as u64).at_line(line)?;
-        chains.push(chain);
+        let Self::Chains(chains) = self else { unreachable!("the curves have become chains") };
+        budget.charge(OF_CHAIN + of_chained::<C>() * pieces.len() as u64).at_line(line)?;
+        chains.push(chain_of(&traits, pieces).ok_or_else(|| {
+            let why = "the curve turns back in x, or is vertical in part only; cut it there into curves of their own";
+            malformed(line, why.into())
+        })?);
         Ok(())
+    }
+}
+
+/// A chain of pieces; `None` if they make several.
+fn chain_of<S: PieceTraits>(
+    traits: &PolycurveTraits<S>,
+    pieces: Vec<S::UMonotoneCurve>,
+) -> Option<Chain<S::UMonotoneCurve>> {
+    let polycurve = traits.make_polycurve(pieces).ok()?;
+    match polycurve.parts() {
+        [Piece::Curve { curve, .. }] => Some(curve.clone()),
+        _ => None,
     }
 }
 
@@ -173,7 +204,7 @@ fn read_straight(keyword: Token<'_>, line: &mut Line<'_>, budget: &mut Budget) -
 }
 
 /// Reads what follows `polyline`.
-fn read_polyline(line: &mut Line<'_>, budget: &mut Budget) -> Result<Chain<Linear>, Located> {
+fn read_polyline(line: &mut Line<'_>, budget: &mut Budget) -> Result<Vec<Linear>, Located> {
     let mut word = line.word();
     let mut from_infinity = None;
     if word.is_some_and(|word| word.bytes == b"infinity") {
@@ -189,9 +220,7 @@ fn read_polyline(line: &mut Line<'_>, budget: &mut Budget) -> Result<Chain<Linea
             break;
         }
         let y = line.expect("the second coordinate of the last point")?;
-        if PUTTING_PIECE * points.len() as u64 > budget.left() {
-            return Err(budget.exceeded()).at_line(line.number);
-        }
+        check_room(points.len(), line, budget)?;
         points.push(make_point([read_number(x, budget)?, read_number(y, budget)?]));
         word = line.word();
     }
@@ -207,15 +236,18 @@ fn read_polyline(line: &mut Line<'_>, budget: &mut Budget) -> Result<Chain<Linea
         let why = "the polyline has no piece; give it two points, or a point and `infinity dx dy`".into();
         return Err(malformed(line.number, why));
     }
-    let pieces: Option<Vec<Linear>> = pieces.into_iter().collect();
-    let pieces = pieces.ok_or_else(|| {
+    pieces.into_iter().collect::<Option<Vec<Linear>>>().ok_or_else(|| {
         let why = "a point of the polyline is the same as the one before it; remove one".into();
         malformed(line.number, why)
-    })?;
-    chain_of(pieces).ok_or_else(|| {
-        let why = "the polyline turns back in x, or is vertical in part only; cut it there into curves of their own";
-        malformed(line.number, why.into())
     })
+}
+
+/// Whether so many pieces can be put into a chain.
+fn check_room(pieces: usize, line: &Line<'_>, budget: &Budget) -> Result<(), Located> {
+    if PUTTING_PIECE * pieces as u64 > budget.left() {
+        return Err(budget.exceeded()).at_line(line.number);
+    }
+    Ok(())
 }
 
 /// Reads what follows `infinity`.
@@ -228,41 +260,55 @@ fn read_direction(line: &mut Line<'_>, budget: &mut Budget) -> Result<[Rational;
     Ok(direction)
 }
 
-/// A chain of pieces; `None` if they make several.
-fn chain_of(pieces: Vec<Linear>) -> Option<Chain<Linear>> {
-    let polycurve = PolycurveTraits::new(LinearTraits).make_polycurve(pieces).ok()?;
-    match polycurve.parts() {
-        [Piece::Curve { curve, .. }] => Some(curve.clone()),
-        _ => None,
-    }
-}
-
+/// Reads a path: its pieces, one for each displacement.
 fn read_path(
     traits: &TorusSegmentTraits,
     line: &mut Line<'_>,
     budget: &mut Budget,
-) -> Result<TorusSegment, Located> {
+) -> Result<Vec<TorusSegment>, Located> {
     const PATH: &str = "`path`, the only curve on a torus,";
+    const LENGTH: &str = "one of two lengths along x and y";
     let word = line.expect(PATH)?;
     if word.bytes != b"path" {
         return Err(word.unexpected(PATH));
     }
-    let start = read_torus_point(traits, line, budget)?;
-    let displacement =
-        read_pair(line, budget, "one of two lengths along x and y")?.map(Number::into_rational);
+    let mut start = read_torus_point(traits, line, budget)?;
+    let mut pieces = Vec::new();
+    let mut next = Some(line.expect(LENGTH)?);
+    while let Some(dx) = next {
+        check_room(pieces.len(), line, budget)?;
+        let dx = read_number(dx, budget)?;
+        let dy = read_number(line.expect(LENGTH)?, budget)?;
+        let displacement = [dx, dy].map(Number::into_rational);
+        pieces.push(path_piece(traits, &start, &displacement, line.number)?);
+        next = line.word();
+        if next.is_some() {
+            start = traits.point(&start.translated(&displacement));
+        }
+    }
+    Ok(pieces)
+}
+
+/// A path that must not leave the rectangle.
+fn path_piece(
+    traits: &TorusSegmentTraits,
+    start: &Point2,
+    displacement: &[Rational; 2],
+    line: u32,
+) -> Result<TorusSegment, Located> {
     let fits = displacement.iter().zip(traits.period()).all(|(length, period)| length.abs() <= *period);
     let mut pieces = Vec::new();
-    if fits && let Ok(path) = traits.path(&start, &displacement) {
+    if fits && let Ok(path) = traits.path(start, displacement) {
         traits.make_u_monotone(&path, &mut pieces);
     }
     match (pieces.pop(), pieces.is_empty()) {
         (Some(Piece::Curve { curve, .. }), true) => Ok(curve),
         (Some(Piece::Point(_)), _) => {
-            Err(malformed(line.number, "the path has no length; give it one, or remove it".into()))
+            Err(malformed(line, "a piece of the path has no length; remove it".into()))
         }
         _ => {
             let why = "the path leaves the rectangle of the periods; cut it there into paths of their own";
-            Err(malformed(line.number, why.into()))
+            Err(malformed(line, why.into()))
         }
     }
 }

@@ -1,6 +1,8 @@
 //! What is different from one family of curves to the other: the surface and the curves, as text and as objects.
 
-use super::model::{LinearArrangement, PolycurveArrangement, StarArrangement, TorusArrangement};
+use super::model::{
+    LinearArrangement, PolycurveArrangement, StarArrangement, TorusArrangement, TorusPolycurveArrangement,
+};
 use crate::base::numerals::put;
 use arrangement::models::polycurve::{Chain, PolycurveTraits};
 use arrangement::models::{Linear, LinearTraits, TorusSegment, TorusSegmentTraits};
@@ -46,7 +48,7 @@ macro_rules! star_text {
     )*};
 }
 
-star_text!(LinearArrangement, PolycurveArrangement, TorusArrangement);
+star_text!(LinearArrangement, PolycurveArrangement, TorusArrangement, TorusPolycurveArrangement);
 
 impl sealed::Sealed for StarArrangement {}
 
@@ -56,6 +58,7 @@ impl StarText for StarArrangement {
             Self::Linear(arrangement) => arrangement.star_text(),
             Self::Polycurves(arrangement) => arrangement.star_text(),
             Self::Torus(arrangement) => arrangement.star_text(),
+            Self::TorusPolycurves(arrangement) => arrangement.star_text(),
         }
     }
 }
@@ -106,12 +109,15 @@ impl Family for PolycurveTraits<LinearTraits> {
     }
 
     fn line_at<'a>(curve: &'a Chain<Linear>, p: &Point2) -> (&'a Line2, [Option<&'a Point2>; 2]) {
-        let pieces = curve.pieces();
-        let is_before =
-            |piece: &Linear| piece.ends()[1].as_ref().is_some_and(|max| compare_xy(max, p).is_lt());
-        let piece = &pieces[pieces.partition_point(is_before).min(pieces.len() - 1)];
-        LinearTraits::line_at(piece, p)
+        LinearTraits::line_at(piece_at(curve, p, |piece| piece.ends()[1].as_ref()), p)
     }
+}
+
+/// The first piece of a chain that does not end before a point.
+fn piece_at<'a, C>(chain: &'a Chain<C>, p: &Point2, max: fn(&C) -> Option<&Point2>) -> &'a C {
+    let pieces = chain.pieces();
+    let count = pieces.partition_point(|piece| max(piece).is_some_and(|max| compare_xy(max, p).is_lt()));
+    &pieces[count.min(pieces.len() - 1)]
 }
 
 impl Family for TorusSegmentTraits {
@@ -123,16 +129,39 @@ impl Family for TorusSegmentTraits {
     }
 
     fn put_curve(&self, curve: &TorusSegment, text: &mut Vec<u8>) {
-        let [from, to] = CurveEnd::BOTH.map(|end| curve.place(end).coordinates());
-        text.extend_from_slice(b"path");
-        put_point(curve.point(CurveEnd::Min), text);
-        let [dx, dy] = [&to[0] - &from[0], &to[1] - &from[1]];
-        put(text, format_args!(" {dx} {dy}"));
+        put_path(std::slice::from_ref(curve), text);
     }
 
     /// The line is that in the rectangle.
     fn line_at<'a>(curve: &'a TorusSegment, _: &Point2) -> (&'a Line2, [Option<&'a Point2>; 2]) {
         (curve.supporting_line(), CurveEnd::BOTH.map(|end| Some(curve.point(end))))
+    }
+}
+
+impl Family for PolycurveTraits<TorusSegmentTraits> {
+    type Surface = FlatTorus;
+
+    fn put_surface(&self, text: &mut Vec<u8>) {
+        self.inner().put_surface(text);
+    }
+
+    fn put_curve(&self, curve: &Chain<TorusSegment>, text: &mut Vec<u8>) {
+        put_path(curve.pieces(), text);
+    }
+
+    fn line_at<'a>(curve: &'a Chain<TorusSegment>, p: &Point2) -> (&'a Line2, [Option<&'a Point2>; 2]) {
+        TorusSegmentTraits::line_at(piece_at(curve, p, |piece| Some(piece.place(CurveEnd::Max))), p)
+    }
+}
+
+/// Writes a path: where it begins, and how far each piece goes. Pieces on one line that follow each other are one.
+fn put_path(pieces: &[TorusSegment], text: &mut Vec<u8>) {
+    text.extend_from_slice(b"path");
+    put_point(pieces[0].point(CurveEnd::Min), text);
+    for run in pieces.chunk_by(|a, b| a.supporting_line() == b.supporting_line()) {
+        let [from, to] = [run[0].place(CurveEnd::Min), run[run.len() - 1].place(CurveEnd::Max)];
+        let ([x, y], [to_x, to_y]) = (from.coordinates(), to.coordinates());
+        put(text, format_args!(" {} {}", to_x - x, to_y - y));
     }
 }
 

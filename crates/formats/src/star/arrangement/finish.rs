@@ -1,7 +1,7 @@
 //! An arrangement of what was read, or what is wrong with it.
 
 use super::cells::Cells;
-use super::curves::{Curves, malformed};
+use super::curves::{Curves, List, malformed};
 use super::family::Family;
 use super::model::StarArrangement;
 use super::numbers::Numbers;
@@ -22,15 +22,22 @@ pub(super) fn finish(
     end: u32,
 ) -> Result<StarArrangement, Located> {
     match curves {
-        Curves::Linear(curves) => arrangement_of(LinearTraits, UnboundedPlane, curves, numbers, cells, end)
-            .map(StarArrangement::Linear),
-        Curves::Chains(curves) => {
+        Curves::Plane(List::Single(curves)) => {
+            arrangement_of(LinearTraits, UnboundedPlane, curves, numbers, cells, end)
+                .map(StarArrangement::Linear)
+        }
+        Curves::Plane(List::Chains(curves)) => {
             let traits = PolycurveTraits::new(LinearTraits);
             arrangement_of(traits, UnboundedPlane, curves, numbers, cells, end)
                 .map(StarArrangement::Polycurves)
         }
-        Curves::Torus(traits, curves) => {
+        Curves::Torus(traits, List::Single(curves)) => {
             arrangement_of(traits, FlatTorus, curves, numbers, cells, end).map(StarArrangement::Torus)
+        }
+        Curves::Torus(traits, List::Chains(curves)) => {
+            let traits = PolycurveTraits::new(traits);
+            arrangement_of(traits, FlatTorus, curves, numbers, cells, end)
+                .map(StarArrangement::TorusPolycurves)
         }
     }
 }

@@ -21,6 +21,8 @@ mod read;
 mod write;
 
 pub use family::StarText;
-pub use model::{LinearArrangement, PolycurveArrangement, StarArrangement, TorusArrangement};
+pub use model::{
+    LinearArrangement, PolycurveArrangement, StarArrangement, TorusArrangement, TorusPolycurveArrangement,
+};
 pub use read::read_arrangement;
 pub use write::write_arrangement;
