@@ -10,6 +10,8 @@ pub mod topology;
 pub mod traits;
 pub mod wrappers;
 
-pub use arrangement::{Arrangement, Counts, CurveId, Difference, UserEdgeId, UserView, Violation};
+pub use arrangement::{
+    Arrangement, CellOrder, Counts, CurveId, Difference, Parts, UserEdgeId, UserView, Violation,
+};
 pub use insert::Pieces;
 pub use queries::{CommonEnds, do_any_meet, intersections, locate_all, subcurves};

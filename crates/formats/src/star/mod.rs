@@ -7,10 +7,12 @@
 //! | `cells` | what they say: a mesh if that is all, else a complex |
 //! | `write` | the one text of a model |
 
+mod arrangement;
 mod cells;
 mod line;
 mod read;
 mod write;
 
+pub use arrangement::{LinearArrangement, PolycurveArrangement, StarArrangement, TorusArrangement};
 pub(crate) use read::read;
 pub(crate) use write::{write_complex, write_mesh};
