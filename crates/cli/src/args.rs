@@ -143,7 +143,9 @@ impl Verb {
 pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Command, Failure> {
     let mut parser = lexopt::Parser::from_args(words);
     match parser.next().map_err(|error| lexical(&error, None))? {
-        None => Err(Failure::usage("a verb is missing: sum, hull, info, convert or arrange; see `splitstar --help`")),
+        None => Err(Failure::usage(
+            "a verb is missing: sum, hull, info, convert or arrange; see `splitstar --help`",
+        )),
         Some(Short('h') | Long("help")) => Ok(Command::Help(None)),
         Some(Short('V') | Long("version")) => Ok(Command::Version),
         Some(Value(word)) if word == "help" => match parser.next().map_err(|error| lexical(&error, None))? {

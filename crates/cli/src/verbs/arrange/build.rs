@@ -48,7 +48,9 @@ fn collect<G: ArrangementTraits>(
         for (place, curve) in std::mem::take(&mut operand.file.curves).into_iter().enumerate() {
             add(curve, &mut pieces).map_err(|sentence| operand.failure(place, sentence))?;
             if pieces.curves.len() + pieces.points.len() >= PIECES {
-                let sentence = format!("up to here the curves have {PIECES} pieces, and a sweep takes fewer; remove some");
+                let sentence = format!(
+                    "up to here the curves have {PIECES} pieces, and a sweep takes fewer; remove some"
+                );
                 return Err(operand.failure(place, sentence));
             }
         }
@@ -127,7 +129,9 @@ fn on_torus(
 fn path(traits: &TorusSegmentTraits, from: &Point2, to: &Point2) -> Result<TorusPath, String> {
     let [[a, b], [c, d]] = [from.coordinates(), to.coordinates()];
     let displacement: [Rational; 2] = [c - a, d - b];
-    traits.path(from, &displacement).map_err(|error| format!("{error}; give larger periods, or a shorter curve"))
+    traits
+        .path(from, &displacement)
+        .map_err(|error| format!("{error}; give larger periods, or a shorter curve"))
 }
 
 /// Adds the pieces of a path, of which the source, the target or both may be joints.
