@@ -70,8 +70,7 @@ pub(super) fn locate(curves: &Curves, points: &[[i64; 2]]) -> Result<Found, Fail
             Cell::Face(face) => {
                 located.faces += 1;
                 let dcel = arrangement.dcel();
-                located.around +=
-                    dcel.outer_ccbs(face).map(|ccb| dcel.ccb_cycle(ccb).count()).sum::<usize>();
+                located.around += dcel.outer_ccbs(face).map(|ccb| dcel.ccb_cycle(ccb).count()).sum::<usize>();
             }
         }
     }
@@ -80,9 +79,7 @@ pub(super) fn locate(curves: &Curves, points: &[[i64; 2]]) -> Result<Found, Fail
 
 fn of_segments(curves: &Curves) -> Result<Segments, Failure> {
     match curves {
-        Curves::Segments(ends) => {
-            Ok(Arrangement::of_curves(SegmentTraits, BoundedPlane, &segments(ends)?))
-        }
+        Curves::Segments(ends) => Ok(Arrangement::of_curves(SegmentTraits, BoundedPlane, &segments(ends)?)),
         _ => Err(NO_CURVES.into()),
     }
 }

@@ -50,9 +50,7 @@ impl fmt::Display for Difference {
             Self::Degree(v, w) => write!(f, "vertices {} and {} have different degrees", v.0, w.0),
             Self::Edge(h, i) => write!(f, "halfedges {} and {} begin alike and end differently", h.0, i.0),
             Self::CcbKind(h, i) => write!(f, "halfedges {} and {} lie on CCBs of different kinds", h.0, i.0),
-            Self::Face(a, b) => {
-                write!(f, "faces {} and {} have some of their boundary in common, not all", a.0, b.0)
-            }
+            Self::Face(a, b) => write!(f, "faces {} and {} have some of their boundary in common, not all", a.0, b.0),
         }
     }
 }

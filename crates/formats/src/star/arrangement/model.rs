@@ -12,6 +12,9 @@ pub type PolycurveArrangement = Arrangement<PolycurveTraits<LinearTraits>, Unbou
 /// An arrangement of straight paths on a flat torus.
 pub type TorusArrangement = Arrangement<TorusSegmentTraits, FlatTorus>;
 
+/// An arrangement of chains of straight paths on a flat torus.
+pub type TorusPolycurveArrangement = Arrangement<PolycurveTraits<TorusSegmentTraits>, FlatTorus>;
+
 /// An arrangement of any family of curves that a star file can hold.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
@@ -22,6 +25,8 @@ pub enum StarArrangement {
     Polycurves(PolycurveArrangement),
     /// Straight paths on a flat torus.
     Torus(TorusArrangement),
+    /// Chains of straight paths on a flat torus.
+    TorusPolycurves(TorusPolycurveArrangement),
 }
 
 impl StarArrangement {
@@ -31,6 +36,7 @@ impl StarArrangement {
             Self::Linear(arrangement) => arrangement.counts(),
             Self::Polycurves(arrangement) => arrangement.counts(),
             Self::Torus(arrangement) => arrangement.counts(),
+            Self::TorusPolycurves(arrangement) => arrangement.counts(),
         }
     }
 
@@ -40,6 +46,7 @@ impl StarArrangement {
             Self::Linear(arrangement) => arrangement.counts_with_splits(),
             Self::Polycurves(arrangement) => arrangement.counts_with_splits(),
             Self::Torus(arrangement) => arrangement.counts_with_splits(),
+            Self::TorusPolycurves(arrangement) => arrangement.counts_with_splits(),
         }
     }
 }
@@ -59,5 +66,11 @@ impl From<PolycurveArrangement> for StarArrangement {
 impl From<TorusArrangement> for StarArrangement {
     fn from(arrangement: TorusArrangement) -> Self {
         Self::Torus(arrangement)
+    }
+}
+
+impl From<TorusPolycurveArrangement> for StarArrangement {
+    fn from(arrangement: TorusPolycurveArrangement) -> Self {
+        Self::TorusPolycurves(arrangement)
     }
 }
