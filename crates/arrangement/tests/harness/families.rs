@@ -1,9 +1,7 @@
 //! Every row, on every model that can carry it, by every route.
 
 use crate::curves::fraction;
-use crate::models::{
-    Linears, MinimalSegments, Model, Numbered, Polylinears, Polylines, Segments, WideTorus,
-};
+use crate::models::{Linears, MinimalSegments, Model, Numbered, Polylinears, Polylines, Segments, WideTorus};
 use crate::oracle::brute_force;
 use crate::routes::{Route, check};
 use crate::rows::rows;

@@ -16,7 +16,11 @@ pub(crate) fn random_curves(rng: &mut Rng, most: usize, range: u64, are_bounded:
     (0..count)
         .map(|_| {
             let [p, q] = [0; 2].map(|_| [coordinate(rng), coordinate(rng)]);
-            if p == q || rng.one_in(8) { Curve::Point(p) } else { Curve::Straight(*rng.choose(shapes), [p, q]) }
+            if p == q || rng.one_in(8) {
+                Curve::Point(p)
+            } else {
+                Curve::Straight(*rng.choose(shapes), [p, q])
+            }
         })
         .collect()
 }

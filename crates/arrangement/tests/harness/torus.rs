@@ -3,8 +3,8 @@
 use crate::curves::{P, at, fraction, rational};
 use crate::torus_oracle::{TorusCells, TorusCurve, brute_force, reduce};
 use crate::torus_rows::{period, rows};
-use exact::planar::Point2;
 use exact::Rational;
+use exact::planar::Point2;
 use splitstar_arrangement::models::{TorusPath, TorusSegmentTraits};
 use splitstar_arrangement::overlay::overlay_all;
 use splitstar_arrangement::topology::FlatTorus;
@@ -137,12 +137,17 @@ fn seams_do_not_matter() {
         let by: P = [0; 2].map(|_| fraction(rng.within(12), [1, 2, 3, 7][rng.index(4)]));
         let translate = |[x, y]: &P| [x + &by[0], y + &by[1]];
         let rotate = |[x, y]: &P| [-y, x.clone()];
-        let moved: Vec<TorusCurve> = curves.iter().map(|curve| map(curve, translate, P::clone, |w| w)).collect();
-        let turned: Vec<TorusCurve> = curves.iter().map(|curve| map(curve, rotate, rotate, |[p, q]| [-q, p])).collect();
+        let moved: Vec<TorusCurve> =
+            curves.iter().map(|curve| map(curve, translate, P::clone, |w| w)).collect();
+        let turned: Vec<TorusCurve> =
+            curves.iter().map(|curve| map(curve, rotate, rotate, |[p, q]| [-q, p])).collect();
         let swapped: P = [period[1].clone(), period[0].clone()];
         let image = sweep(&moved, &period);
         let of_point = |p: &Point2| Point2::from_rationals(&reduce(&translate(&p.coordinates()), &period).0);
-        assert!(arrangement.is_isomorphic_under(&image, of_point, false), "seed {seed}, by {by:?}: {curves:?}");
+        assert!(
+            arrangement.is_isomorphic_under(&image, of_point, false),
+            "seed {seed}, by {by:?}: {curves:?}"
+        );
         let image = sweep(&turned, &swapped);
         let of_point = |p: &Point2| Point2::from_rationals(&reduce(&rotate(&p.coordinates()), &swapped).0);
         assert!(arrangement.is_isomorphic_under(&image, of_point, false), "seed {seed}, turned: {curves:?}");

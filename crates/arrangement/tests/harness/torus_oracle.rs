@@ -48,7 +48,8 @@ impl Track {
     fn copies(&self, period: &P) -> Vec<[Rational; 2]> {
         let end = self.at(&Rational::ONE);
         let range = |i: usize| {
-            let (low, high) = if self.start[i] < end[i] { (&self.start[i], &end[i]) } else { (&end[i], &self.start[i]) };
+            let (low, high) =
+                if self.start[i] < end[i] { (&self.start[i], &end[i]) } else { (&end[i], &self.start[i]) };
             let mut turns = floor(low, &period[i]) - Rational::ONE;
             let last = floor(high, &period[i]) + Rational::ONE;
             let mut all = Vec::new();
@@ -153,7 +154,11 @@ pub(crate) fn brute_force(curves: &[TorusCurve], period: &P) -> TorusCells {
             edges.insert((reduce(&middle, period).0, step), edge);
         }
     }
-    let counts = count(vertices.len(), &edges.into_values().collect::<Vec<_>>(), &circles.into_values().collect::<Vec<_>>());
+    let counts = count(
+        vertices.len(),
+        &edges.into_values().collect::<Vec<_>>(),
+        &circles.into_values().collect::<Vec<_>>(),
+    );
     TorusCells { counts, vertices }
 }
 

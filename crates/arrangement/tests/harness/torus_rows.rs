@@ -30,12 +30,7 @@ fn closed([x, y]: [i64; 2], winding: [i64; 2]) -> TorusCurve {
 
 fn square([x, y]: [i64; 2], side: i64) -> Vec<TorusCurve> {
     let [z, w] = [x + side, y + side];
-    vec![
-        path([x, y], [side, 0]),
-        path([z, y], [0, side]),
-        path([z, w], [-side, 0]),
-        path([x, w], [0, -side]),
-    ]
+    vec![path([x, y], [side, 0]), path([z, y], [0, side]), path([z, w], [-side, 0]), path([x, w], [0, -side])]
 }
 
 pub(crate) fn rows() -> Vec<TorusRow> {
@@ -46,7 +41,8 @@ pub(crate) fn rows() -> Vec<TorusRow> {
     add("a point in the corner", vec![point(0, 0)], [1, 0, 1, 1, 1]);
     add("points on the seams", vec![point(0, 4), point(3, 0), point(12, 4)], [2, 0, 1, 2, 2]);
     for start in [[0, 0], [0, 4], [5, 0], [5, 4], [6, 5]] {
-        for winding in [[1, 0], [0, 1], [1, 1], [1, -1], [-1, 2], [2, 1], [3, 2], [-5, -3], [0, -1], [-1, 0]] {
+        for winding in [[1, 0], [0, 1], [1, 1], [1, -1], [-1, 2], [2, 1], [3, 2], [-5, -3], [0, -1], [-1, 0]]
+        {
             add("a first closed geodesic", vec![closed(start, winding)], [1, 1, 1, 0, 1]);
             let twice = closed(start, winding.map(|w| 2 * w));
             add("round twice", vec![twice.clone()], [1, 1, 1, 0, 1]);
@@ -95,6 +91,10 @@ pub(crate) fn rows() -> Vec<TorusRow> {
     add("through a seam", vec![path([0, 2], [0, 5]), path([-3, 4], [6, 0])], [5, 4, 1, 0, 1]);
     add("T on the bottom from below", vec![path([2, 0], [5, 0]), path([4, -3], [0, 3])], [4, 3, 1, 0, 1]);
     add("through the corner", vec![path([-2, -2], [4, 4]), path([-2, 2], [4, -4])], [5, 4, 1, 0, 1]);
-    add("into the corner", vec![path([-2, -2], [2, 2]), path([-2, 2], [2, -2]), path([0, 3], [0, -3])], [4, 3, 1, 0, 1]);
+    add(
+        "into the corner",
+        vec![path([-2, -2], [2, 2]), path([-2, 2], [2, -2]), path([0, 3], [0, -3])],
+        [4, 3, 1, 0, 1],
+    );
     rows
 }

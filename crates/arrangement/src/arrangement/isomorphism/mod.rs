@@ -53,7 +53,9 @@ impl fmt::Display for Difference {
             Self::Edge(h, i) => write!(f, "halfedges {} and {} begin alike and end differently", h.0, i.0),
             Self::Curve(h, i) => write!(f, "halfedges {} and {} begin on different curves", h.0, i.0),
             Self::CcbKind(h, i) => write!(f, "halfedges {} and {} lie on CCBs of different kinds", h.0, i.0),
-            Self::Face(a, b) => write!(f, "faces {} and {} have some of their boundary in common, not all", a.0, b.0),
+            Self::Face(a, b) => {
+                write!(f, "faces {} and {} have some of their boundary in common, not all", a.0, b.0)
+            }
         }
     }
 }
