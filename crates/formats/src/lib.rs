@@ -53,4 +53,8 @@ pub use curves::{
 };
 pub use format::{Encoding, Format};
 pub use read::{check_start, read};
+pub use star::{
+    LinearArrangement, PolycurveArrangement, StarArrangement, StarText, TorusArrangement,
+    TorusPolycurveArrangement, read_arrangement, write_arrangement,
+};
 pub use write::{WriteError, WriteNote, WriteOptions, Written, objects_of_triangles, write};

@@ -77,7 +77,7 @@
 // The examples of the README are tests of this crate.
 #![cfg_attr(doctest, doc = include_str!("../../../README.md"))]
 
-pub use {dcel, exact, formats, polytope};
+pub use {arrangement, dcel, exact, formats, polytope, render};
 
 /// The names that most programs need: `use splitstar::prelude::*`.
 ///

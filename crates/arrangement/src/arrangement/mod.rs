@@ -4,18 +4,23 @@
 //! |---|---|---|
 //! | the object | `mod`, `counts`, `view` | cells, what lies where, how many there are, what a user sees |
 //! | checking | `validity`, `isomorphism`, `around` | every violation; are two the same; the geometric order around a vertex |
-//! | making it | `build`, `assemble` | cells from a sweep; an arrangement from cells and supports |
+//! | making it | `build`, `assemble`, `parts` | cells from a sweep; an arrangement from cells and supports, or from anybody's |
+//! | order | `order` | one order of all cells |
 
 mod around;
 pub(crate) mod assemble;
 pub(crate) mod build;
 mod counts;
 mod isomorphism;
+mod order;
+mod parts;
 mod validity;
 mod view;
 
 pub use counts::Counts;
 pub use isomorphism::Difference;
+pub use order::CellOrder;
+pub use parts::Parts;
 pub use validity::Violation;
 pub use view::{UserEdgeId, UserView};
 

@@ -25,6 +25,11 @@ macro_rules! forward_traits {
             }
 
             #[inline]
+            fn order_key(&self, p: &Self::Point) -> u64 {
+                $via!(self, OrderKey, order_key(plain p))
+            }
+
+            #[inline]
             fn end_point<'a>(&self, curve: &'a Self::UMonotoneCurve, end: CurveEnd) -> Option<&'a Self::Point> {
                 $via!(self, EndPoint, end_point(curve curve, plain end))
             }

@@ -9,8 +9,9 @@ use dcel::{Dcel, EdgeId, FaceId, VertexId};
 use std::ops::ControlFlow;
 
 impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
-    /// Looks for cells that are not where they say. Each edge must lie on its support.
-    pub(super) fn check_embedding(&self, found: &mut Vec<Violation>) {
+    /// Looks for cells that are not where they say, and stops when there are as many violations as the limit says. Each edge must
+    /// lie on its support.
+    pub(super) fn check_embedding(&self, limit: usize, found: &mut Vec<Violation>) {
         let edges: Vec<EdgeId> = self.dcel.edges().collect();
         let curves: Vec<G::UMonotoneCurve> = edges.iter().map(|&e| self.make_edge_curve(e)).collect();
         let isolated: Vec<VertexId> = self.vertices().filter(|&v| self.dcel.outgoing(v).is_none()).collect();
@@ -35,9 +36,10 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
             bottom: self.corner_face(),
             met: vec![0; self.dcel.vertex_bound()],
             on_images: Vec::new(),
+            limit,
             found,
         };
-        let _ = sweep(&self.traits, &self.topology, &input, &mut visitor);
+        let flow = sweep(&self.traits, &self.topology, &input, &mut visitor);
         let Checker { met, on_images, .. } = visitor;
         for (site, e) in on_images {
             let is_there = |v: &VertexId| match (self.point(*v), input.site(site as usize).point()) {
@@ -46,7 +48,13 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
             };
             found.extend(self.vertices().find(is_there).map(|v| Violation::VertexOnEdge(v, e)));
         }
+        if flow.is_break() {
+            return;
+        }
         for v in self.dcel.vertices() {
+            if found.len() >= limit {
+                return;
+            }
             let degree = self.dcel.degree(v) as u32;
             if met[v.index()] != degree && !found.iter().any(is_meeting) {
                 found.push(Violation::Unseen(v));
@@ -73,6 +81,8 @@ struct Checker<'a> {
     met: Vec<u32>,
     /// Images of vertices on other sides through which an edge passes.
     on_images: Vec<(u32, EdgeId)>,
+    /// How many violations are enough.
+    limit: usize,
     found: &'a mut Vec<Violation>,
 }
 
@@ -214,6 +224,9 @@ impl<G: UMonotoneTraits> SweepVisitor<G> for Checker<'_> {
                     self.found.push(Violation::Crossing(*a, *b));
                 }
             }
+        }
+        if self.found.len() + self.on_images.len() >= self.limit {
+            return ControlFlow::Break(());
         }
         ControlFlow::Continue(())
     }

@@ -2,10 +2,12 @@
 //!
 //! 1. The cells are asked whether they fit together ([`dcel::Dcel::check_valid`]) and what surface they make.
 //! 2. Each edge is compared with its support and its vertices, and the order around each vertex with the geometric one.
-//! 3. If all that is right, a sweep over the edges as curves of their own finds vertices at one point, edges that meet, and cells in
+//! 3. Each CCB must be outer or inner as its turns say (`kinds`).
+//! 4. If all that is right, a sweep over the edges as curves of their own finds vertices at one point, edges that meet, and cells in
 //!    wrong faces (`embedding`). Nothing is believed of what the arrangement says.
 
 mod embedding;
+mod kinds;
 #[cfg(test)]
 mod tests;
 
@@ -13,7 +15,7 @@ use super::Arrangement;
 use super::build::Builder;
 use crate::topology::Topology;
 use crate::traits::{Along, CurveEnd, UMonotoneTraits};
-use dcel::{DcelViolation, EdgeId, FaceId, VertexId};
+use dcel::{CcbId, DcelViolation, EdgeId, FaceId, HalfedgeId, VertexId};
 use std::cmp::Ordering;
 use std::fmt;
 
@@ -39,6 +41,8 @@ pub enum Violation {
     EndOrder(EdgeId),
     /// The halfedges around the vertex are not in counterclockwise order.
     Rotation(VertexId),
+    /// The CCB is said to be an outer one and is an inner one, or the other way round.
+    Kind(CcbId),
     /// Both vertices are at one point.
     SamePoint(VertexId, VertexId),
     /// The vertex lies in the interior of the edge.
@@ -67,6 +71,7 @@ impl fmt::Display for Violation {
             Self::OffSupport(v, e) => write!(f, "vertex {} is not on the support of its edge {}", v.0, e.0),
             Self::EndOrder(e) => write!(f, "the min vertex of edge {} is not less than its max vertex", e.0),
             Self::Rotation(v) => write!(f, "the halfedges around vertex {} are not in order", v.0),
+            Self::Kind(c) => write!(f, "CCB {} is outer and said to be inner, or the other way round", c.0),
             Self::SamePoint(v, w) => write!(f, "vertices {} and {} are at one point", v.0, w.0),
             Self::VertexOnEdge(v, e) => write!(f, "vertex {} lies in the interior of edge {}", v.0, e.0),
             Self::Crossing(d, e) => write!(f, "edges {} and {} meet where there is no vertex", d.0, e.0),
@@ -92,6 +97,12 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// # Complexity
     /// That of a sweep over the edges.
     pub fn check_valid(&self) -> Vec<Violation> {
+        self.find_violations(usize::MAX)
+    }
+
+    /// As [`Arrangement::check_valid`], but the sweep stops when there are as many as the limit says: of what is far from valid, there
+    /// could be as many as pairs of edges.
+    pub(super) fn find_violations(&self, limit: usize) -> Vec<Violation> {
         let genus = self.topology.genus() as usize;
         let mut found: Vec<Violation> =
             self.dcel.check_euler(genus).into_iter().map(Violation::Cells).collect();
@@ -108,9 +119,16 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         if found.is_empty() {
             self.check_edges(&mut found);
         }
+        // What follows takes the parts of one support to be disjoint: together they are no longer than it.
+        if found.is_empty() {
+            self.check_supports(&mut found);
+        }
         if found.is_empty() {
             self.check_rotations(&mut found);
-            self.check_embedding(&mut found);
+            if found.is_empty() {
+                self.check_kinds(&mut found);
+            }
+            self.check_embedding(limit, &mut found);
         }
         found
     }
@@ -147,6 +165,22 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
                 if self.topology.compare_sites(&self.traits, &min, &max) != Ordering::Less {
                     found.push(Violation::EndOrder(e));
                 }
+            }
+        }
+    }
+
+    /// Edges on one support follow one another.
+    fn check_supports(&self, found: &mut Vec<Violation>) {
+        let mut edges: Vec<(u32, EdgeId)> =
+            self.dcel.edges().map(|e| (self.supports[e.index()], e)).collect();
+        let compare = |a: HalfedgeId, b: HalfedgeId| {
+            self.topology.compare_sites(&self.traits, &self.start_site(a), &self.start_site(b))
+        };
+        edges.sort_by(|a, b| a.0.cmp(&b.0).then_with(|| compare(a.1.halfedge(), b.1.halfedge())));
+        for pair in edges.windows(2) {
+            let [(support, before), (other, after)] = [pair[0], pair[1]];
+            if support == other && compare(before.halfedge().twin(), after.halfedge()).is_gt() {
+                found.push(Violation::Overlap(before, after));
             }
         }
     }
