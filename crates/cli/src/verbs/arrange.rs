@@ -10,7 +10,7 @@ use crate::curves::{CurveOperand, ground};
 use crate::failure::{Failure, one_line};
 use crate::output;
 use crate::report::{Clock, Seconds};
-use splitstar::formats::StarArrangement;
+use splitstar::formats::{self, StarArrangement};
 use splitstar::render::{Frame, RenderError, Scene, SvgOptions};
 
 pub(crate) fn arrange(run: &Run) -> Result<(), Failure> {
@@ -50,7 +50,7 @@ pub(crate) fn arrange(run: &Run) -> Result<(), Failure> {
 
 fn written(arrangement: &StarArrangement, run: &Run, output: &Place) -> Result<Vec<u8>, Failure> {
     match run.cell_format() {
-        CellFormat::Star => Ok(Vec::new() /* star */),
+        CellFormat::Star => Ok(formats::write_arrangement(arrangement)),
         CellFormat::Svg => {
             let scene = scene(arrangement).map_err(|error| {
                 let sentence = format!("not drawn: {error}; write star, which has no limit");

@@ -7,7 +7,7 @@ use splitstar::arrangement::models::{Linear, LinearTraits, TorusPath, TorusSegme
 use splitstar::arrangement::topology::{FlatTorus, UnboundedPlane};
 use splitstar::arrangement::traits::{ArrangementTraits, DirectionalTraits, Piece};
 use splitstar::arrangement::{Arrangement, Pieces};
-use splitstar::exact::Rational;
+use splitstar::exact::Sign;
 use splitstar::exact::planar::Point2;
 use splitstar::formats::{InputCurve, StarArrangement};
 
@@ -115,23 +115,33 @@ fn on_torus(
         }
         _ => return Err("it is not a segment, a polyline or a point".into()),
     };
+    let paths: Vec<TorusPath> =
+        points.windows(2).map(|ends| path(traits, &ends[0], &ends[1])).collect::<Result<_, _>>()?;
     let ends = [&points[0], &points[points.len() - 1]].map(|point| traits.point(point));
     // One straight path that comes back to its beginning has a vertex there.
-    let is_closed = points.len() > 2 && ends[0] == ends[1];
-    let last = points.len() - 2;
-    for (number, piece) in points.windows(2).enumerate() {
-        let path = path(traits, &piece[0], &piece[1])?;
-        push_path(&path, traits, [number > 0 || is_closed, number < last || is_closed], pieces);
+    let is_closed = paths.len() > 1 && ends[0] == ends[1];
+    let count = paths.len();
+    let is_joint = |number: usize| {
+        let is_inner = (1..count).contains(&number) || is_closed;
+        is_inner && !turns_back(&paths[(number + count - 1) % count], &paths[number % count])
+    };
+    for (number, path) in paths.iter().enumerate() {
+        push_path(path, traits, [number, number + 1].map(is_joint), pieces);
     }
     Ok(())
 }
 
 fn path(traits: &TorusSegmentTraits, from: &Point2, to: &Point2) -> Result<TorusPath, String> {
     let [[a, b], [c, d]] = [from.coordinates(), to.coordinates()];
-    let displacement: [Rational; 2] = [c - a, d - b];
     traits
-        .path(from, &displacement)
+        .path(from, &[c - a, d - b])
         .map_err(|error| format!("{error}; give larger periods, or a shorter curve"))
+}
+
+/// Whether a path returns upon the one before it: such a joint is an end, and a vertex.
+fn turns_back(before: &TorusPath, path: &TorusPath) -> bool {
+    let ([a, b], [c, d]) = (before.displacement(), path.displacement());
+    a * d == b * c && (a * c + b * d).sign() == Sign::Negative
 }
 
 /// Adds the pieces of a path, of which the source, the target or both may be joints.
