@@ -60,24 +60,24 @@ fn collect<G: ArrangementTraits>(
 
 const DIFFERENT: &str = "the points of a curve that was read are different";
 
-fn linear(curve: InputCurve) -> Result<Linear, InputCurve> {
+/// The segment, ray or line; `None` if it is none of them.
+fn linear(curve: InputCurve) -> Option<Linear> {
     match curve {
-        InputCurve::Segment([source, target]) => Ok(Linear::segment(source, target).expect(DIFFERENT)),
-        InputCurve::Ray([source, through]) => Ok(Linear::ray(source, &through).expect(DIFFERENT)),
-        InputCurve::Line([p, q]) => Ok(Linear::line(&p, &q).expect(DIFFERENT)),
-        other => Err(other),
+        InputCurve::Segment([source, target]) => Some(Linear::segment(source, target).expect(DIFFERENT)),
+        InputCurve::Ray([source, through]) => Some(Linear::ray(source, &through).expect(DIFFERENT)),
+        InputCurve::Line([p, q]) => Some(Linear::line(&p, &q).expect(DIFFERENT)),
+        _ => None,
     }
 }
 
 fn as_linear(curve: InputCurve, pieces: &mut Pieces<LinearTraits>) -> Result<(), String> {
-    match linear(curve) {
-        Ok(curve) => {
-            pieces.curves.push(curve);
-            pieces.is_artificial.push([false; 2]);
-        }
-        Err(InputCurve::Point(point)) => pieces.points.push(point),
-        Err(_) => return Err("it is not a segment, a ray, a line or a point".into()),
+    if let InputCurve::Point(point) = curve {
+        pieces.points.push(point);
+        return Ok(());
     }
+    let curve = linear(curve).ok_or("it is not a segment, a ray, a line or a point")?;
+    pieces.curves.push(curve);
+    pieces.is_artificial.push([false; 2]);
     Ok(())
 }
 
@@ -86,14 +86,15 @@ fn as_polycurve(
     traits: &PolycurveTraits<LinearTraits>,
     pieces: &mut Pieces<PolycurveTraits<LinearTraits>>,
 ) -> Result<(), String> {
-    let polycurve = match linear(curve) {
-        Ok(curve) => traits.make_polycurve([curve]),
-        Err(InputCurve::Polyline(vertices)) => traits.make_polyline(vertices),
-        Err(InputCurve::Point(point)) => {
+    let polycurve = match curve {
+        InputCurve::Point(point) => {
             pieces.points.push(point);
             return Ok(());
         }
-        Err(_) => return Err("it is not a segment, a ray, a line, a polyline or a point".into()),
+        InputCurve::Polyline(vertices) => traits.make_polyline(vertices),
+        other => traits.make_polycurve([
+            linear(other).ok_or("it is not a segment, a ray, a line, a polyline or a point")?
+        ]),
     };
     let polycurve = polycurve.map_err(|error| error.to_string())?;
     polycurve.parts().iter().cloned().for_each(|piece| push(piece, pieces));
