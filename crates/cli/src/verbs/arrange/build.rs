@@ -1,37 +1,58 @@
 //! The curves of files as those of a model, and their arrangement.
 
+use crate::console::Console;
 use crate::curves::{CurveOperand, Ground};
 use crate::failure::Failure;
 use splitstar::arrangement::models::polycurve::PolycurveTraits;
 use splitstar::arrangement::models::{Linear, LinearTraits, TorusPath, TorusSegmentTraits};
-use splitstar::arrangement::topology::{FlatTorus, UnboundedPlane};
+use splitstar::arrangement::sweep::Progress;
+use splitstar::arrangement::topology::{FlatTorus, Topology, UnboundedPlane};
 use splitstar::arrangement::traits::{ArrangementTraits, DirectionalTraits, Piece};
 use splitstar::arrangement::{Arrangement, Pieces};
 use splitstar::exact::Sign;
 use splitstar::exact::planar::Point2;
 use splitstar::formats::{InputCurve, StarArrangement};
+use std::ops::ControlFlow;
 
 /// A sweep takes fewer pieces than this.
 const PIECES: usize = 1 << 30;
 
 /// The arrangement of the curves of all files.
-pub(super) fn arrangement(operands: Vec<CurveOperand>, ground: Ground) -> Result<StarArrangement, Failure> {
+pub(super) fn arrangement(
+    operands: Vec<CurveOperand>,
+    ground: Ground,
+    console: &Console,
+) -> Result<StarArrangement, Failure> {
     match ground {
         Ground::Torus(period) => {
             let traits = TorusSegmentTraits::new(period).expect("the periods of a torus are positive");
             let pieces = collect(operands, |curve, pieces| on_torus(curve, &traits, pieces))?;
-            Ok(StarArrangement::Torus(Arrangement::of_pieces(traits, FlatTorus, pieces)))
+            Ok(StarArrangement::Torus(swept(traits, FlatTorus, pieces, console)))
         }
         Ground::Plane if operands.iter().any(has_polyline) => {
             let traits = PolycurveTraits::new(LinearTraits);
             let pieces = collect(operands, |curve, pieces| as_polycurve(curve, &traits, pieces))?;
-            Ok(StarArrangement::Polycurves(Arrangement::of_pieces(traits, UnboundedPlane, pieces)))
+            Ok(StarArrangement::Polycurves(swept(traits, UnboundedPlane, pieces, console)))
         }
         Ground::Plane => {
             let pieces = collect(operands, as_linear)?;
-            Ok(StarArrangement::Linear(Arrangement::of_pieces(LinearTraits, UnboundedPlane, pieces)))
+            Ok(StarArrangement::Linear(swept(LinearTraits, UnboundedPlane, pieces, console)))
         }
     }
+}
+
+/// The arrangement of pieces; the console is told how far it has come.
+fn swept<G: ArrangementTraits, T: Topology<G>>(
+    traits: G,
+    topology: T,
+    pieces: Pieces<G>,
+    console: &Console,
+) -> Arrangement<G, T> {
+    let tell = |progress: Progress| {
+        console.step_at("arrange", progress.sites_met, progress.sites);
+        ControlFlow::Continue(())
+    };
+    Arrangement::of_pieces_with(traits, topology, pieces, tell).expect("nobody stops the sweep")
 }
 
 fn has_polyline(operand: &CurveOperand) -> bool {
