@@ -296,10 +296,15 @@ impl<'s, P: Clone> Builder<'s, P> {
             special,
         };
         let dcel = cycles::assemble(raw, |turns| topology.ccb_kind(turns));
+        // As soon as anything else happens at a cut, it is an ordinary vertex.
+        let mut is_artificial = self.is_artificial;
+        for (v, is) in is_artificial.iter_mut().enumerate().filter(|(_, is)| **is) {
+            *is = dcel.degree(VertexId::new(v)) == 2;
+        }
         Built {
             dcel,
             points: self.points,
-            is_artificial: self.is_artificial,
+            is_artificial,
             edge_curves: self.edge_curves,
             overlaps: self.overlaps,
         }
