@@ -168,8 +168,10 @@ impl<G: BasicTraits, T: Topology<G>> SweepVisitor<G> for OverlayVisitor<'_, '_, 
                 self.bottom.copy_from_slice(&self.gap);
             }
             for i in (0..around.right.len()).rev() {
-                for (operand, edge) in around.curves_of(i).filter_map(|curve| self.origins.curves.get(curve)) {
-                    self.bottom[*operand as usize] = self.dcel(*operand as usize).face(edge.halfedge().twin());
+                for (operand, edge) in around.curves_of(i).filter_map(|curve| self.origins.curves.get(curve))
+                {
+                    self.bottom[*operand as usize] =
+                        self.dcel(*operand as usize).face(edge.halfedge().twin());
                 }
             }
             self.set_gap_above(around.below);
