@@ -132,7 +132,7 @@ pub(crate) fn overlay_with_pieces<G: UMonotoneTraits, T: Topology<G>>(
         flags.resize(input.site_count(), true);
         let origins = Origins::of(numbers);
         let builder = Builder::new(topology, &flags);
-        let mut visitor = OverlayVisitor::new(builder, operands, &origins);
+        let mut visitor = OverlayVisitor::new(builder, operands, &origins, &input);
         let _ = sweep(traits, topology, &input, &mut visitor);
         visitor.finish(topology)
     };

@@ -3,7 +3,7 @@
 use super::{Cell, Provenance};
 use crate::arrangement::Arrangement;
 use crate::arrangement::build::{BuildTag, Builder, Built};
-use crate::sweep::{Around, CellNumbers, Event, SweepVisitor};
+use crate::sweep::{Around, CellNumbers, Event, SweepInput, SweepVisitor};
 use crate::topology::Topology;
 use crate::traits::{Along, BasicTraits};
 use dcel::{Dcel, EdgeId, FaceId, HalfedgeId, VertexId};
@@ -35,6 +35,7 @@ pub(super) struct OverlayVisitor<'s, 'a, G: BasicTraits, T> {
     builder: Builder<'s, G::Point>,
     operands: &'a [&'a Arrangement<G, T>],
     origins: &'a Origins,
+    input: &'a SweepInput<'a, G>,
     provenance: Provenance,
     /// The faces of the operands in the gap below all strands.
     bottom: Vec<FaceId>,
@@ -47,6 +48,7 @@ impl<'s, 'a, G: BasicTraits, T: Topology<G>> OverlayVisitor<'s, 'a, G, T> {
         builder: Builder<'s, G::Point>,
         operands: &'a [&'a Arrangement<G, T>],
         origins: &'a Origins,
+        input: &'a SweepInput<'a, G>,
     ) -> Self {
         let mut provenance = Provenance::new(operands.len());
         for v in 0..builder.points.len() {
@@ -54,7 +56,7 @@ impl<'s, 'a, G: BasicTraits, T: Topology<G>> OverlayVisitor<'s, 'a, G, T> {
             provenance.vertices.extend(operands.iter().map(|_| Cell::Vertex(VertexId::new(v))));
         }
         let bottom: Vec<FaceId> = operands.iter().map(|operand| operand.corner_face()).collect();
-        Self { builder, operands, origins, provenance, gap: bottom.clone(), bottom }
+        Self { builder, operands, origins, input, provenance, gap: bottom.clone(), bottom }
     }
 
     fn dcel(&self, operand: usize) -> &'a Dcel {
@@ -100,9 +102,9 @@ impl<'s, 'a, G: BasicTraits, T: Topology<G>> OverlayVisitor<'s, 'a, G, T> {
                 cells[*operand as usize] = Cell::Edge(*edge);
             }
         }
-        for (operand, vertex) in
-            event.input_sites.iter().filter_map(|&site| self.origins.sites.get(site as usize))
-        {
+        // The edges of a vertex on an identified side may all be at other places of its point: then an image of its site is here.
+        let originals = event.input_sites.iter().map(|&site| self.input.original_site(site as usize));
+        for (operand, vertex) in originals.filter_map(|site| self.origins.sites.get(site)) {
             cells[*operand as usize] = Cell::Vertex(*vertex);
         }
     }
