@@ -52,7 +52,7 @@ pub fn intersections<G: UMonotoneTraits, T: Topology<G>>(
             if is_joint && !event.is_meeting {
                 return ControlFlow::Continue(());
             }
-            let passes = (0..right).any(|i| around.curves_of(i).count() > 1) || event.is_meeting;
+            let passes = (0..right).any(|i| around.is_overlap(i)) || event.is_meeting;
             // A curve that passes through has a strand on both sides and no site.
             let through = passes || left + right > given;
             let counts = match self.ends {
@@ -168,7 +168,7 @@ where
             ControlFlow::Continue(())
         }
     }
-    let mut pieces = Pieces::<G>::default();
+    let mut pieces = Pieces::<G>::new();
     let (mut curve_owner, mut point_owner) = (Vec::new(), Vec::new());
     let mut buffer = Vec::new();
     for (owner, curve) in (0..).zip(curves) {
@@ -176,12 +176,11 @@ where
         for piece in buffer.drain(..) {
             match piece {
                 Piece::Curve { curve, is_artificial } => {
-                    pieces.curves.push(curve);
-                    pieces.is_artificial.push(is_artificial);
+                    pieces.push_piece(curve, is_artificial);
                     curve_owner.push(owner);
                 }
                 Piece::Point(point) => {
-                    pieces.points.push(point);
+                    pieces.push_point(point);
                     point_owner.push(owner);
                 }
             }
@@ -194,4 +193,25 @@ where
     let mut watcher = Watcher { ends, owner: curve_owner, sites, meet: false };
     let _ = sweep(traits, topology, &input, &mut watcher);
     watcher.meet
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::{Segment, SegmentTraits};
+    use crate::topology::BoundedPlane;
+    use exact::planar::Point2;
+
+    #[test]
+    fn overlaps_meet_where_their_curves_change() {
+        let ends = [[[0, 0], [6, 0]], [[2, 0], [8, 0]], [[4, 0], [6, 0]], [[8, 0], [9, 1]]];
+        let mut pieces = Pieces::<SegmentTraits>::new();
+        for ends in ends {
+            pieces.push_curve(Segment::from_i64(ends).expect("the ends are different"));
+        }
+        let found = |ends| intersections(&SegmentTraits, &BoundedPlane, &pieces, ends);
+        let points = |at: &[[i64; 2]]| at.iter().map(|&at| Point2::from_i64(at)).collect::<Vec<_>>();
+        assert_eq!(found(CommonEnds::Count), points(&[[2, 0], [4, 0], [6, 0], [8, 0]]));
+        assert_eq!(found(CommonEnds::Ignore), points(&[[2, 0], [4, 0], [6, 0]]));
+    }
 }

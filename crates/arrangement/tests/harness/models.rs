@@ -45,7 +45,7 @@ pub(crate) trait Model: Debug {
             }
         }
         let mut pieces = Pieces::of_curves(&self.traits(), &own);
-        pieces.points.extend(points);
+        points.into_iter().for_each(|point| pieces.push_point(point));
         Some(pieces)
     }
 }

@@ -27,7 +27,7 @@ fn pieces(traits: &TorusSegmentTraits, curves: &[TorusCurve]) -> Pieces<TorusSeg
         }
     }
     let mut pieces = Pieces::of_curves(traits, &paths);
-    pieces.points.extend(points);
+    points.into_iter().for_each(|point| pieces.push_point(point));
     pieces
 }
 

@@ -1,9 +1,9 @@
 //! Arrangements made of rows of curves, on all surfaces.
 
+use arrangement::Arrangement;
 use arrangement::models::polycurve::PolycurveTraits;
 use arrangement::models::{Linear, LinearTraits, TorusSegmentTraits};
 use arrangement::topology::{FlatTorus, UnboundedPlane};
-use arrangement::{Arrangement, Pieces};
 use exact::Rational;
 use exact::planar::Point2;
 use splitstar_formats::StarArrangement;
@@ -53,9 +53,7 @@ pub(crate) fn linear(row: &Row) -> Option<Linear> {
 /// Straight curves and points of the plane.
 pub(crate) fn linear_arrangement(rows: &[Row]) -> StarArrangement {
     let curves: Vec<Linear> = rows.iter().filter_map(linear).collect();
-    let mut pieces = Pieces::of_curves(&LinearTraits, &curves);
-    pieces.points.extend(points(rows));
-    Arrangement::of_pieces(LinearTraits, UnboundedPlane, pieces).into()
+    Arrangement::of_curves_and_points(LinearTraits, UnboundedPlane, &curves, points(rows)).into()
 }
 
 fn points(rows: &[Row]) -> impl Iterator<Item = Point2> + '_ {
@@ -73,9 +71,7 @@ pub(crate) fn polycurve_arrangement(rows: &[Row]) -> StarArrangement {
         row => linear(row).map(|curve| traits.make_polycurve([curve]).unwrap()),
     };
     let curves: Vec<_> = rows.iter().filter_map(polycurve).collect();
-    let mut pieces = Pieces::of_curves(&traits, &curves);
-    pieces.points.extend(points(rows));
-    Arrangement::of_pieces(traits, UnboundedPlane, pieces).into()
+    Arrangement::of_curves_and_points(traits, UnboundedPlane, &curves, points(rows)).into()
 }
 
 /// Paths and points of a torus, whose periods are integers.

@@ -64,11 +64,11 @@ fn collect<G: ArrangementTraits>(
     operands: Vec<CurveOperand>,
     mut add: impl FnMut(InputCurve, &mut Pieces<G>) -> Result<(), String>,
 ) -> Result<Pieces<G>, Failure> {
-    let mut pieces = Pieces::default();
+    let mut pieces = Pieces::new();
     for mut operand in operands {
         for (place, curve) in std::mem::take(&mut operand.file.curves).into_iter().enumerate() {
             add(curve, &mut pieces).map_err(|sentence| operand.failure(place, sentence))?;
-            if pieces.curves.len() + pieces.points.len() >= PIECES {
+            if pieces.curves().len() + pieces.points().len() >= PIECES {
                 let sentence = format!(
                     "up to here the curves have {PIECES} pieces, and a sweep takes fewer; remove some"
                 );
@@ -93,12 +93,11 @@ fn linear(curve: InputCurve) -> Option<Linear> {
 
 fn as_linear(curve: InputCurve, pieces: &mut Pieces<LinearTraits>) -> Result<(), String> {
     if let InputCurve::Point(point) = curve {
-        pieces.points.push(point);
+        pieces.push_point(point);
         return Ok(());
     }
     let curve = linear(curve).ok_or("it is not a segment, a ray, a line or a point")?;
-    pieces.curves.push(curve);
-    pieces.is_artificial.push([false; 2]);
+    pieces.push_curve(curve);
     Ok(())
 }
 
@@ -109,7 +108,7 @@ fn as_polycurve(
 ) -> Result<(), String> {
     let polycurve = match curve {
         InputCurve::Point(point) => {
-            pieces.points.push(point);
+            pieces.push_point(point);
             return Ok(());
         }
         InputCurve::Polyline(vertices) => traits.make_polyline(vertices),
@@ -118,7 +117,7 @@ fn as_polycurve(
         ]),
     };
     let polycurve = polycurve.map_err(|error| error.to_string())?;
-    polycurve.parts().iter().cloned().for_each(|piece| push(piece, pieces));
+    pieces.extend(polycurve.parts().iter().cloned());
     Ok(())
 }
 
@@ -132,7 +131,7 @@ fn on_torus(
         InputCurve::Segment(ends) => ends.to_vec(),
         InputCurve::Polyline(points) => points,
         InputCurve::Point(point) => {
-            pieces.points.push(traits.point(&point));
+            pieces.push_point(traits.point(&point));
             return Ok(());
         }
         _ => return Err("it is not a segment, a polyline or a point".into()),
@@ -176,22 +175,12 @@ fn push_path(
     let mut cut = Vec::new();
     traits.make_u_monotone(path, &mut cut);
     let last = cut.len().saturating_sub(1);
-    for (number, mut piece) in cut.into_iter().enumerate() {
-        if let Piece::Curve { curve, is_artificial } = &mut piece {
+    for (number, piece) in cut.iter_mut().enumerate() {
+        if let Piece::Curve { curve, is_artificial } = piece {
             let [source, target] = if traits.is_directed_right(curve) { [0, 1] } else { [1, 0] };
             is_artificial[source] |= number == 0 && from_joint;
             is_artificial[target] |= number == last && to_joint;
         }
-        push(piece, pieces);
     }
-}
-
-fn push<G: ArrangementTraits>(piece: Piece<G::Point, G::UMonotoneCurve>, pieces: &mut Pieces<G>) {
-    match piece {
-        Piece::Curve { curve, is_artificial } => {
-            pieces.curves.push(curve);
-            pieces.is_artificial.push(is_artificial);
-        }
-        Piece::Point(point) => pieces.points.push(point),
-    }
+    pieces.extend(cut);
 }
