@@ -53,8 +53,12 @@ pub fn intersections<G: UMonotoneTraits, T: Topology<G>>(
                 return ControlFlow::Continue(());
             }
             let passes = (0..right).any(|i| around.is_overlap(i)) || event.is_meeting;
-            // A curve that passes through has a strand on both sides and no site.
-            let through = passes || left + right > given;
+            // A curve that passes through runs on to the right and does not begin here; in an overlap it may share its strands with
+            // curves that end here. Counting no further than needed, the whole sweep counts each end once.
+            let begins =
+                event.input_sites.iter().filter(|&&site| (site as usize) < self.is_artificial.len()).count();
+            let run_on = || (0..right).flat_map(|i| around.curves_of(i)).take(begins + 1).count();
+            let through = passes || run_on() > begins;
             let counts = match self.ends {
                 CommonEnds::Count => given > 1 || given == 1 && through || event.is_meeting,
                 CommonEnds::Ignore => through && (given > 0 || event.is_meeting),
