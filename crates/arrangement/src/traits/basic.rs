@@ -28,6 +28,13 @@ pub trait BasicTraits: Send + Sync {
     /// leave it `false`.
     const MEET_ONCE: bool = false;
 
+    /// Where curves overlap, their common piece is a piece of each, and nothing is lost if an edge there is taken for a part of any
+    /// one of them.
+    ///
+    /// True of curves that are nothing but sets of points. If it is `false`, edges along which several curves run have the overlap
+    /// of all of these as their support, which costs as much as there are curves.
+    const OVERLAPS_ARE_PLAIN: bool = false;
+
     /// Compares two points by their u-coordinates.
     ///
     /// # References

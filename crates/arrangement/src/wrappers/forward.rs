@@ -5,14 +5,15 @@
 ///
 /// `$via` is a macro that makes a call: `via!(self, Method, method(kind argument, ...))` or, for a method that appends its answer
 /// to a buffer, `via!(self, Method, method(kind argument, ...) appends out)`. The kind is `curve` for a curve of the wrapper, `end`
-/// for a pair of such a curve and an end, and `plain` for the rest.
+/// for a pair of such a curve and an end, and `plain` for the rest. `$plain` is the value of `OVERLAPS_ARE_PLAIN`.
 macro_rules! forward_traits {
-    ([$($param:tt)*] $wrapper:ty, $curve:ty, $via:ident) => {
+    ([$($param:tt)*] $wrapper:ty, $curve:ty, $via:ident, $plain:expr) => {
         impl<G: BasicTraits, $($param)*> BasicTraits for $wrapper {
             type Point = G::Point;
             type UMonotoneCurve = $curve;
 
             const MEET_ONCE: bool = G::MEET_ONCE;
+            const OVERLAPS_ARE_PLAIN: bool = $plain;
 
             #[inline]
             fn compare_u(&self, p: &Self::Point, q: &Self::Point) -> Ordering {
