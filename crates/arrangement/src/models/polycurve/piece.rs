@@ -5,8 +5,8 @@ use crate::models::{
     TorusSegmentTraits,
 };
 use crate::traits::{
-    BasicTraits, CurveEnd, DirectionalTraits, IdentifiedBottomTopTraits,
-    IdentifiedLeftRightTraits, Piece, UMonotoneTraits,
+    BasicTraits, CurveEnd, DirectionalTraits, IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Piece,
+    UMonotoneTraits,
 };
 use exact::planar::Point2;
 use std::cmp::Ordering;
