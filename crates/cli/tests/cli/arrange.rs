@@ -40,7 +40,7 @@ const ROWS: &[Row] = &[
     ("both ways around", "period 4 3\nsegment 0 1 4 1\nsegment 1 0 1 3\n", [3, 4, 1, 0, 1], [3, 4, 1]),
     ("two strips", "period 4 3\nsegment 0 1 4 1\nsegment 0 2 4 2\n", [2, 2, 2, 0, 2], [2, 2, 2]),
     ("a torus knot", "period 4 3\nsegment 0 0 8 9\n", [1, 1, 1, 0, 1], [4, 4, 1]),
-    ("a zigzag around a torus", "period 4 3\npolyline 0 2 1 5/2 2 2 3 5/2 4 2\n", [1, 1, 1, 0, 1], [4, 4, 1]),
+    ("a zigzag around a torus", "period 4 3\npolyline 0 2 1 5/2 2 2 3 5/2 4 2\n", [1, 1, 1, 0, 1], [1, 1, 1]),
     (
         "a square on a torus",
         "period 4 3\nPOLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))\nPOINT (3/2 3/2)\npoint 11/2 3/2\n",
@@ -49,6 +49,8 @@ const ROWS: &[Row] = &[
     ),
     ("turning back on a torus", "period 6 5\npolyline 3 6 7 3 3 6\n", [2, 1, 1, 0, 1], [4, 3, 1]),
     ("turning back on its side", "period 6 5\npolyline 3 3 6 3 3 3\n", [2, 1, 1, 0, 1], [2, 1, 1]),
+    ("onto its own tip on a seam", "period 6 5\npolyline 3 3 7 1 0 1\n", [3, 3, 1, 0, 1], [3, 3, 1]),
+    ("down a loop of a torus", "period 6 5\npolyline 3 1 1 6 1 0\n", [3, 3, 1, 0, 1], [4, 4, 1]),
     ("across the corner of a torus", "period 4 3\nsegment -1 -1 1 1\n", [2, 1, 1, 0, 1], [3, 2, 1]),
 ];
 
