@@ -81,6 +81,14 @@ fn cells_are_counted() {
         }
         let picture = run(&["arrange", &file, "-o", "-", "--format", "svg"]).ok();
         assert!(picture.starts_with("<svg ") && picture.ends_with("</svg>\n"), "{name}");
+        let star = run(&["arrange", &file, "-o", "-", "--format", "star"]).ok();
+        let read = splitstar::formats::read_arrangement(star.as_bytes(), None).unwrap();
+        let [seen, stored] = [read.counts(), read.counts_with_splits()];
+        let seen_numbers = [seen.vertices, seen.edges, seen.faces, seen.isolated, seen.components];
+        assert_eq!(seen_numbers.map(|n| n as u64), *counts, "{name}, read back");
+        let stored_numbers = [stored.vertices, stored.edges, stored.faces].map(|n| n as u64);
+        assert_eq!(stored_numbers, *with_splits, "{name}, read back");
+        assert_eq!(splitstar::formats::write_arrangement(&read), star.as_bytes(), "{name}, written again");
         let drawn = |cell: char| picture.matches(&format!("data-id=\"{cell}")).count() as u64;
         assert_eq!(drawn('e'), with_splits[1], "{name}");
         assert_eq!(drawn('f'), with_splits[2], "{name}");
