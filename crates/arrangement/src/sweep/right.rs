@@ -87,8 +87,10 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
         let mut common = Vec::new();
         self.traits.intersect(self.ways[a as usize].curve, self.ways[b as usize].curve, &mut common);
         let is_ahead = |point: &G::Point| {
-            let meeting = Site::interior(point);
-            self.topology.compare_sites(self.traits, &meeting, site) == Ordering::Greater
+            // On a side curves end, and that is a site already.
+            let meeting = Site::of_point(self.topology, self.traits, point);
+            meeting.location.is_interior()
+                && self.topology.compare_sites(self.traits, &meeting, site) == Ordering::Greater
                 && [a, b].into_iter().all(|curve| {
                     let end = &self.stops[self.ways[curve as usize].end as usize].site;
                     self.topology.compare_sites(self.traits, &meeting, end) == Ordering::Less

@@ -159,6 +159,19 @@ macro_rules! forward_traits {
             fn is_joint_allowed(&self, p: &Self::Point) -> bool {
                 $via!(self, IsJointAllowed, is_joint_allowed(plain p))
             }
+
+            fn is_foldback_on_side(
+                &self,
+                a: &Self::UMonotoneCurve,
+                b: &Self::UMonotoneCurve,
+                end: CurveEnd,
+            ) -> bool {
+                $via!(self, IsFoldbackOnSide, is_foldback_on_side(curve a, curve b, plain end))
+            }
+
+            fn direction(&self, curve: &Self::UMonotoneCurve) -> Option<bool> {
+                $via!(self, Direction, direction(curve curve))
+            }
         }
 
         impl<G: BoundedTraits, $($param)*> BoundedTraits for $wrapper {}
