@@ -176,7 +176,7 @@ const BAD: &[(&str, &[&str], &str)] = &[
     (
         "OFF\n3 1 0\n",
         &[],
-        ":1: a file of OFF as one of curves cannot be read; give curves as text, WKT or GeoJSON",
+        ":1: this is a model (OFF), not a file of curves; give curves as text, WKT or GeoJSON",
     ),
     ("period 4 0\n", &[], ":1: `0` where a period larger than 0 was expected"),
     ("period 4 3\nline 0 0 1 1\n", &[], ":2: a line on a torus cannot be read"),
@@ -198,8 +198,8 @@ const BAD: &[(&str, &[&str], &str)] = &[
     (
         "period 1e-9 1\nsegment 0 0 1 0\nsegment 0 0 0 1\n",
         &[],
-        ":2: the path winds round the torus so often that it has more than 1048576 pieces; \
-         give larger periods, or a shorter curve",
+        ":2: up to here the curves go around the torus more than 131072 times, and are cut there; \
+         give larger periods, or fewer or shorter curves",
     ),
 ];
 
@@ -225,8 +225,9 @@ fn wrong_words_are_refused() {
     let rows: &[(&[&str], &str)] = &[
         (&[], "a file to read expected, 0 given"),
         (&["a", "-o", "out.off"], "an arrangement is not written as `.off`; use .star or .svg, or --format"),
-        (&["a", "-o", "out.svg.gz"], "not written as `.gz`"),
-        (&["a", "-o", &out, "--format", "off"], "unknown format `off`: star or svg"),
+        (&["a", "-o", "out.gz"], "not written as `.gz`"),
+        (&["a", "-o", "out.off.gz"], "not written as `.off.gz`; use .star or .svg, each also with .gz"),
+        (&["a", "-o", &out, "--format", "off"], "unknown format `off`: star or svg, each also with .gz"),
         (&["a", "--format", "svg"], "where is missing: -o OUT"),
         (&["a", "--surface", "sphere"], "unknown surface `sphere`: plane or torus"),
         (&["a", "--period", "4"], "`--period 4`: 1 numbers given, P,Q expected"),
