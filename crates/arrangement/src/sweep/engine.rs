@@ -76,6 +76,9 @@ pub(super) struct Engine<'a, 'i, G: UMonotoneTraits, T, Tag> {
     pub(super) status: Status<&'i G::UMonotoneCurve, Tag>,
     pub(super) queue: Queue<G::Point>,
     passing: Vec<(u32, u32)>,
+    /// For each curve, another one with which it overlaps, and the end of that is known: it waits in the queue, or one of them ends
+    /// there. Empty if overlaps only end where curves do.
+    pub(super) noted: Vec<u32>,
     /// The number of the current event.
     now: u32,
 }
@@ -118,6 +121,7 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
             status: Status::new(),
             queue: Queue::new(),
             passing: Vec::new(),
+            noted: vec![NIL; if G::MEET_ONCE { 0 } else { input.curves.len() }],
             now: 0,
         }
     }
@@ -160,9 +164,7 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
                 hit = self.mark_stop(place, hit);
             }
             if let Some(ahead) = &met {
-                for curve in ahead.curves {
-                    hit = self.mark_curve(curve, hit);
-                }
+                hit = self.mark_met(ahead.curves, hit);
                 while self.queue.first().is_some_and(|next| {
                     next.curves == ahead.curves
                         || compare_keys(next.key, ahead.key).is_none()
@@ -172,9 +174,7 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
                     if next.curves != ahead.curves {
                         multiplicity = Multiplicity::Unknown;
                     }
-                    for curve in next.curves {
-                        hit = self.mark_curve(curve, hit);
-                    }
+                    hit = self.mark_met(next.curves, hit);
                 }
             }
             let below_point = if hit == NIL { self.locate(&site) } else { Err(hit) };
@@ -242,6 +242,18 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
         }
         self.status.set_mark(node, self.now);
         node
+    }
+
+    /// Two curves met: what was known of their overlap may be over.
+    #[inline]
+    fn mark_met(&mut self, curves: [u32; 2], mut hit: u32) -> u32 {
+        for curve in curves {
+            if !G::MEET_ONCE {
+                self.noted[curve as usize] = NIL;
+            }
+            hit = self.mark_curve(curve, hit);
+        }
+        hit
     }
 
     /// The first curve of the strand of a curve.

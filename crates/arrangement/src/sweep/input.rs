@@ -28,6 +28,8 @@ pub struct SweepInput<'a, G: BasicTraits> {
     pub(super) first_start: Vec<u32>,
     /// For each site, the first of the curves that end there; they are a list.
     pub(super) first_end: Vec<u32>,
+    /// The sites of which the last ones are images on other sides.
+    mirrored_from: Vec<u32>,
 }
 
 impl<'a, G: BasicTraits> SweepInput<'a, G> {
@@ -74,7 +76,13 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
 
     /// No site and no curve.
     pub fn empty() -> Self {
-        Self { sites: Vec::new(), curves: Vec::new(), first_start: vec![0], first_end: Vec::new() }
+        Self {
+            sites: Vec::new(),
+            curves: Vec::new(),
+            first_start: vec![0],
+            first_end: Vec::new(),
+            mirrored_from: Vec::new(),
+        }
     }
 
     /// The number of curves.
@@ -111,8 +119,15 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
         self.sites[site]
     }
 
+    /// The number of the site of which this one is an image on another side; its own number if it is none.
+    #[inline]
+    pub(crate) fn original_site(&self, site: usize) -> usize {
+        let originals = self.sites.len() - self.mirrored_from.len();
+        if site < originals { site } else { self.mirrored_from[site - originals] as usize }
+    }
+
     /// Adds, for each site on an identified side, the other places of its point. So a curve along the side is cut wherever
-    /// another curve comes to it from the far side, and both sides are met at the same points.
+    /// another curve comes to it from the far side, and both sides are met at the same points. Nothing may be added afterwards.
     pub(crate) fn mirror<T: Topology<G>>(&mut self, topology: &T) {
         let sides = topology.sides();
         if !sides.is_u_identified() && !sides.is_v_identified() {
@@ -123,7 +138,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
             _ => [Some(along), None],
         };
         let mut mirrored = Vec::new();
-        for site in &self.sites {
+        for (original, site) in (0..).zip(&self.sites) {
             if site.location.is_interior() || !matches!(site.at, SiteAt::Point(_)) {
                 continue;
             }
@@ -131,6 +146,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
                 for v in images(site.location.v, sides.is_v_identified()).into_iter().flatten() {
                     let location = Location { u, v };
                     if location != site.location {
+                        self.mirrored_from.push(original);
                         mirrored.push(Site { location, at: site.at });
                     }
                 }

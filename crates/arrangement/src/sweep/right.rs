@@ -59,7 +59,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
                 .count();
             for &curve in &others[..overlapping] {
                 self.join(head, curve);
-                if !G::MEET_ONCE {
+                if !G::MEET_ONCE && self.noted[curve as usize] != head {
+                    self.noted[curve as usize] = head;
                     self.note_end_of_overlap(head, curve, site);
                 }
             }
