@@ -33,8 +33,13 @@ pub(crate) trait Model: Debug {
         p.clone()
     }
 
-    /// The u-monotone curves and the points; `None` if there are curves that it cannot carry.
-    fn pieces(&self, curves: &[Curve]) -> Option<Pieces<Self::Traits>> {
+    /// The periods, if the surface is a torus.
+    fn period(&self) -> Option<P> {
+        None
+    }
+
+    /// The curves and the points; `None` if there are curves that it cannot carry.
+    fn own(&self, curves: &[Curve]) -> Option<OwnCurves<Self>> {
         let (mut own, mut points) = (Vec::new(), Vec::new());
         for (number, curve) in (0..).zip(curves) {
             match curve {
@@ -44,11 +49,20 @@ pub(crate) trait Model: Debug {
                 }
             }
         }
+        Some((own, points))
+    }
+
+    /// The u-monotone curves and the points; `None` if there are curves that it cannot carry.
+    fn pieces(&self, curves: &[Curve]) -> Option<Pieces<Self::Traits>> {
+        let (own, points) = self.own(curves)?;
         let mut pieces = Pieces::of_curves(&self.traits(), &own);
         points.into_iter().for_each(|point| pieces.push_point(point));
         Some(pieces)
     }
 }
+
+/// Curves of a model, and points.
+pub(crate) type OwnCurves<M> = (Vec<<<M as Model>::Traits as ArrangementTraits>::Curve>, Vec<Point2>);
 
 #[derive(Debug)]
 pub(crate) struct Segments;
@@ -226,6 +240,9 @@ impl Model for WideTorus {
         let start = Point2::from_rationals(&[&x + &self.shift[0], &y + &self.shift[1]]);
         let path = self.traits.path(&start, &[z - x, w - y]).expect("the path is short");
         (shape == Shape::Segment).then_some(path)
+    }
+    fn period(&self) -> Option<P> {
+        Some(self.traits.period().clone())
     }
     fn place(&self, p: &P) -> P {
         let moved = Point2::from_rationals(&[&p[0] + &self.shift[0], &p[1] + &self.shift[1]]);

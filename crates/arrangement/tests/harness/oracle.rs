@@ -30,7 +30,7 @@ pub(crate) fn minus([a, b]: &P, [c, d]: &P) -> P {
     [a - c, b - d]
 }
 
-fn line_key(p: &P, q: &P) -> LineKey {
+pub(crate) fn line_key(p: &P, q: &P) -> LineKey {
     let [dx, dy] = minus(q, p);
     match dy.checked_div(&dx) {
         Some(slope) => {
@@ -38,6 +38,14 @@ fn line_key(p: &P, q: &P) -> LineKey {
             (Some(slope), height)
         }
         None => (None, p[0].clone()),
+    }
+}
+
+/// The line of a curve that is no point.
+pub(crate) fn line_of(curve: &Curve) -> Option<LineKey> {
+    match curve {
+        Curve::Point(_) => None,
+        Curve::Straight(_, [p, q]) => Some(line_key(p, q)),
     }
 }
 

@@ -11,9 +11,10 @@ use splitstar_arrangement::topology::FlatTorus;
 use splitstar_arrangement::{Arrangement, Counts, Pieces};
 use testkit::Rng;
 
-type Torus = Arrangement<TorusSegmentTraits, FlatTorus>;
+pub(crate) type Torus = Arrangement<TorusSegmentTraits, FlatTorus>;
 
-fn pieces(traits: &TorusSegmentTraits, curves: &[TorusCurve]) -> Pieces<TorusSegmentTraits> {
+/// The curves as paths, and the points.
+pub(crate) fn own(traits: &TorusSegmentTraits, curves: &[TorusCurve]) -> (Vec<TorusPath>, Vec<Point2>) {
     let mut points = Vec::new();
     let mut paths: Vec<TorusPath> = Vec::new();
     let place = |p: &P| Point2::from_rationals(p);
@@ -26,12 +27,17 @@ fn pieces(traits: &TorusSegmentTraits, curves: &[TorusCurve]) -> Pieces<TorusSeg
             }
         }
     }
+    (paths, points)
+}
+
+pub(crate) fn pieces(traits: &TorusSegmentTraits, curves: &[TorusCurve]) -> Pieces<TorusSegmentTraits> {
+    let (paths, points) = own(traits, curves);
     let mut pieces = Pieces::of_curves(traits, &paths);
     points.into_iter().for_each(|point| pieces.push_point(point));
     pieces
 }
 
-fn sweep(curves: &[TorusCurve], period: &P) -> Torus {
+pub(crate) fn sweep(curves: &[TorusCurve], period: &P) -> Torus {
     let traits = TorusSegmentTraits::new(period.clone()).expect("the periods are positive");
     let pieces = pieces(&traits, curves);
     Arrangement::of_pieces(traits, FlatTorus, pieces)
@@ -92,7 +98,7 @@ fn rows_by_every_route() {
     }
 }
 
-fn random_curves(rng: &mut Rng, period: [i64; 2], most: usize) -> Vec<TorusCurve> {
+pub(crate) fn random_curves(rng: &mut Rng, period: [i64; 2], most: usize) -> Vec<TorusCurve> {
     let denominator = if rng.one_in(4) { 2 } else { 1 };
     let count = rng.index(most + 1);
     let mut curve = || {

@@ -40,6 +40,25 @@ pub(crate) fn reduce(p: &P, period: &P) -> (P, P) {
 }
 
 impl Track {
+    fn new(curve: &TorusCurve, period: &P) -> Self {
+        let (start, step, is_closed) = match curve {
+            TorusCurve::Point(p) => (p, at_zero(), false),
+            TorusCurve::Path(p, step) => (p, step.clone(), false),
+            TorusCurve::Closed(p, winding) => (p, [0, 1].map(|i| rational(winding[i]) * &period[i]), true),
+        };
+        Self { start: reduce(start, period).0, step, is_closed }
+    }
+
+    /// Points between the vertices on the track.
+    fn middles(&self, vertices: &BTreeSet<P>, period: &P) -> Vec<P> {
+        let mut times: BTreeSet<Rational> = vertices.iter().flat_map(|v| self.times(v, period)).collect();
+        times.extend([Rational::ZERO, Rational::ONE]);
+        let times: Vec<Rational> = times.into_iter().collect();
+        let half = rational(2).recip().expect("2 is not zero");
+        let middle = |pair: &[Rational]| reduce(&self.at(&((&pair[0] + &pair[1]) * &half)), period).0;
+        times.windows(2).map(middle).collect()
+    }
+
     fn at(&self, time: &Rational) -> P {
         [0, 1].map(|i| &self.start[i] + &self.step[i] * time)
     }
@@ -95,6 +114,47 @@ impl Track {
     }
 }
 
+/// The points that curves have in common, as `intersections` says it, and whether any two meet. One that moves by nothing is a point.
+pub(crate) fn meetings(curves: &[TorusCurve], period: &P, do_ends_count: bool) -> (Vec<P>, bool) {
+    let cells = brute_force(curves, period);
+    let tracks: Vec<Track> = curves.iter().map(|curve| Track::new(curve, period)).collect();
+    let is_point = |track: &Track| track.step == at_zero();
+    let is_on = |track: &Track, p: &P| match is_point(track) {
+        true => track.start == *p,
+        false => !track.times(p, period).is_empty(),
+    };
+    let is_end = |track: &Track, p: &P| {
+        is_on(track, p)
+            && (is_point(track)
+                || !track.is_closed
+                    && (track.start == *p || reduce(&track.at(&Rational::ONE), period).0 == *p))
+    };
+    let are_parallel = |a: &Track, b: &Track| cross(&a.step, &b.step).is_zero();
+    let is_common = |p: &P| {
+        let through = tracks.iter().filter(|track| is_on(track, p)).count();
+        let ending = tracks.iter().filter(|track| is_end(track, p)).count();
+        through > 1 && (do_ends_count || ending < through)
+    };
+    let is_given = |p: &&P| {
+        let through: Vec<&Track> = tracks.iter().filter(|track| is_on(track, p)).collect();
+        // Curves that are not parallel, or one that crosses itself, are not met: straight curves through one point do not turn.
+        let do_coincide = through.iter().all(|track| !is_end(track, p) && are_parallel(track, through[0]));
+        is_common(p) && !do_coincide
+    };
+    // Curves that run together do so at the middle of an edge, or all along a closed geodesic.
+    let overlap = tracks.iter().enumerate().any(|(i, a)| {
+        tracks[..i].iter().any(|b| {
+            let is_shared = |p: &P| is_on(a, p) && is_on(b, p);
+            !is_point(a)
+                && !is_point(b)
+                && are_parallel(a, b)
+                && a.middles(&cells.vertices, period).iter().any(is_shared)
+        })
+    });
+    let given = cells.vertices.iter().filter(is_given).cloned().collect();
+    (given, overlap || cells.vertices.iter().any(is_common))
+}
+
 /// Finds the cells of an arrangement on a torus.
 ///
 /// Faces are counted by homology: there is one, one more for each independent cycle of the graph, and one less for each independent
@@ -103,14 +163,9 @@ pub(crate) fn brute_force(curves: &[TorusCurve], period: &P) -> TorusCells {
     let mut vertices = BTreeSet::new();
     let mut tracks = Vec::new();
     for curve in curves {
-        let (start, step, is_closed) = match curve {
-            TorusCurve::Point(p) => (p, at_zero(), false),
-            TorusCurve::Path(p, step) => (p, step.clone(), false),
-            TorusCurve::Closed(p, winding) => (p, [0, 1].map(|i| rational(winding[i]) * &period[i]), true),
-        };
-        let track = Track { start: reduce(start, period).0, step, is_closed };
+        let track = Track::new(curve, period);
         let is_point = track.step == at_zero();
-        if is_point || !is_closed {
+        if is_point || !track.is_closed {
             vertices.insert(track.start.clone());
             vertices.insert(reduce(&track.at(&Rational::ONE), period).0);
         }

@@ -134,9 +134,18 @@ fn check_meetings(curves: &[Curve], name: &str) {
     let meet = pairs().any(|(i, j)| !sets[i].is_disjoint(&sets[j]));
     let found = do_any_meet(&TaxicabTraits, &BoundedPlane, curves, &[], CommonEnds::Count);
     assert_eq!(found, meet, "{name}: {curves:?}");
-    // Every vertex that lies on two curves is a meeting, and nothing else.
-    let on_two = |v: &Node| sets.iter().filter(|set| set.contains(v)).count() > 1;
-    let expected: Vec<Node> = Cells::of(curves).vertices.into_iter().filter(on_two).collect();
+    // Every vertex that lies on two curves is a meeting, unless they run together there: then it is only a tip of all of them.
+    let next_to = |curve: &Curve, v: &Node| -> BTreeSet<Node> {
+        let paths = pieces(curve).into_iter().map(|(path, _)| path);
+        let steps = paths.flat_map(|path| path.windows(2).map(|step| [step[0], step[1]]).collect::<Vec<_>>());
+        steps.filter(|step| step.contains(v)).map(|[a, b]| if a == *v { b } else { a }).collect()
+    };
+    let is_meeting = |v: &Node| {
+        let through = curves.iter().zip(&sets).filter(|(_, set)| set.contains(v));
+        let around: Vec<BTreeSet<Node>> = through.map(|(curve, _)| next_to(curve, v)).collect();
+        around.len() > 1 && (around[0].len() != 2 || around.iter().any(|next| *next != around[0]))
+    };
+    let expected: Vec<Node> = Cells::of(curves).vertices.into_iter().filter(is_meeting).collect();
     let found = intersections(&TaxicabTraits, &BoundedPlane, curves, &[], CommonEnds::Count);
     let found: Vec<Node> = found.iter().map(|p| (p.u, p.v)).collect();
     assert_eq!(found, expected, "{name}: {curves:?}");
