@@ -164,7 +164,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// it was. A new edge that does not lie on an old one lies in an old face.
     ///
     /// # Complexity
-    /// That of [`sweep`], over old edges and new curves: for few curves, insertion one by one is quicker.
+    /// That of [`sweep`], over old edges and new curves: so insert many curves at once.
     pub fn insert_pieces(&mut self, pieces: Pieces<G>) -> Provenance {
         let (parts, provenance) = overlay_with_pieces(&self.traits, &self.topology, &[self], pieces);
         self.set_parts(parts);

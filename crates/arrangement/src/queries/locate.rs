@@ -29,7 +29,7 @@ use std::ops::ControlFlow;
 /// ```
 ///
 /// # Complexity
-/// O((n + m) log (n + m)) predicates for n cells and m points. For few points, a walk or a search structure is quicker.
+/// O((n + m) log (n + m)) predicates for n cells and m points.
 ///
 /// # References
 /// Thesis, section 2.4.1.
