@@ -229,7 +229,10 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
         "format" if verb == Verb::Arrange => {
             let word = value()?;
             run.cells = Some(word.to_str().and_then(CellEncoding::from_name).ok_or_else(|| {
-                usage(verb, format!("unknown format `{}`: star or svg, each also with .gz", word.to_string_lossy()))
+                usage(
+                    verb,
+                    format!("unknown format `{}`: star or svg, each also with .gz", word.to_string_lossy()),
+                )
             })?);
         }
         "format" => {

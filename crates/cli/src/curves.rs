@@ -137,7 +137,8 @@ fn check_turns(operands: &[CurveOperand], period: &[Rational; 2]) -> Result<(), 
                 _ => continue,
             };
             for ends in ends.windows(2) {
-                left = turns(&ends[0], &ends[1], period).and_then(|turns| left.checked_sub(turns)).unwrap_or(-1);
+                left =
+                    turns(&ends[0], &ends[1], period).and_then(|turns| left.checked_sub(turns)).unwrap_or(-1);
                 if left < 0 {
                     let sentence = format!(
                         "up to here the curves go around the torus more than {TURNS} times, and are cut there; \

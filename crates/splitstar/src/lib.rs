@@ -125,13 +125,13 @@ pub use {arrangement, dcel, exact, formats, polytope, render};
 /// assert!(triple.same_set(&segment.transformed(&Affine3::scaling(&Rational::from(3)))));
 /// ```
 pub mod prelude {
-    pub use arrangement::overlay::{Cell, overlay_all};
-    pub use arrangement::{Arrangement, Pieces, locate_all};
     pub use arrangement::models::polycurve::PolycurveTraits;
     pub use arrangement::models::{
         Linear, LinearTraits, Segment, SegmentTraits, TorusPath, TorusSegmentTraits,
     };
+    pub use arrangement::overlay::{Cell, overlay_all};
     pub use arrangement::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
+    pub use arrangement::{Arrangement, Pieces, locate_all};
     pub use exact::planar::{Line2, Point2};
     pub use exact::{Affine3, Integer, Plane, Point3, Quaternion, Rational, Sign, Vector3};
     pub use formats::{self, Format, InputCurve, Model, Object, ReadError, Shape, Unit, WriteOptions};

@@ -181,7 +181,8 @@ fn unknown(word: Token<'_>, file: Option<&[u8]>, file_name: Option<&str>) -> Loc
     };
     let place = Place::Line(word.line);
     if let Some(format) = format {
-        let why = format!("this is a model ({format}), not a file of curves; give curves as text, WKT or GeoJSON");
+        let why =
+            format!("this is a model ({format}), not a file of curves; give curves as text, WKT or GeoJSON");
         return Fault::Malformed { why }.at(place);
     }
     if content == Content::Xml {

@@ -61,7 +61,8 @@ pub(super) fn begins_with(word: Token<'_>) -> bool {
 }
 
 /// What is said to somebody who gives a geometry that is not straight.
-const STRAIGHT: &str = "give `segment`, `ray`, `line`, `polyline` or `point`, or a POINT, LINESTRING or POLYGON of WKT";
+const STRAIGHT: &str =
+    "give `segment`, `ray`, `line`, `polyline` or `point`, or a POINT, LINESTRING or POLYGON of WKT";
 
 /// Whether what follows the word `point` makes it one of WKT: a parenthesis or a word that is no number.
 pub(super) fn follows(lexer: &Lexer<'_>) -> bool {

@@ -31,7 +31,8 @@ impl Outlines {
         is_torus: bool,
     ) -> Result<Self, RenderError> {
         let bounds = bounds(arrangement)?;
-        let has_extent = arrangement.vertices().nth(1).is_some() || arrangement.dcel().edges().next().is_some();
+        let has_extent =
+            arrangement.vertices().nth(1).is_some() || arrangement.dcel().edges().next().is_some();
         let is_collapsed = has_extent && !is_torus && bounds.is_some_and(|bounds| is_coarse(&bounds));
         let around = bounds.map(|bounds| bounds.with_margin(0.08));
         let shown = shown.or(around).unwrap_or(Frame::UNIT);
@@ -109,7 +110,10 @@ fn is_coarse(bounds: &Frame) -> bool {
 }
 
 /// Where the ends of an edge's curve are.
-fn end_locations<G: ApproxTraits, T: Topology<G>>(arrangement: &Arrangement<G, T>, e: EdgeId) -> [Location; 2] {
+fn end_locations<G: ApproxTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    e: EdgeId,
+) -> [Location; 2] {
     let (traits, curve) = (arrangement.traits(), arrangement.curve_of(e));
     CurveEnd::BOTH.map(|end| arrangement.topology().end_location(traits, curve, end))
 }
@@ -117,7 +121,9 @@ fn end_locations<G: ApproxTraits, T: Topology<G>>(arrangement: &Arrangement<G, T
 /// The axis whose side a curve runs along, if it does: 0 for the sides at the left and at the right.
 fn axis_of_side([min_end, max_end]: [Location; 2]) -> Option<usize> {
     let runs_along_side = |a: Along, b: Along| a == b && a != Along::Inside;
-    [runs_along_side(min_end.u, max_end.u), runs_along_side(min_end.v, max_end.v)].iter().position(|&runs| runs)
+    [runs_along_side(min_end.u, max_end.u), runs_along_side(min_end.v, max_end.v)]
+        .iter()
+        .position(|&runs| runs)
 }
 
 /// A rectangle around all vertices and bounded edges that every unbounded edge meets.
