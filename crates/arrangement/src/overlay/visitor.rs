@@ -108,16 +108,13 @@ impl<'s, 'a, G: BasicTraits, T: Topology<G>> OverlayVisitor<'s, 'a, G, T> {
     }
 
     /// Notes where the edges come from that begin at an event; `gap` has the faces below the first one.
-    fn note_edges(&mut self, around: &Around<'_, BuildTag>, is_bottom: bool) {
+    fn note_edges(&mut self, around: &Around<'_, BuildTag>) {
         for i in 0..around.right.len() {
             let first = self.provenance.edges.len();
             self.provenance.edges.extend(self.gap.iter().map(|&f| Cell::Face(f)));
             for (operand, edge) in around.curves_of(i).filter_map(|curve| self.origins.curves.get(curve)) {
                 self.provenance.edges[first + *operand as usize] = Cell::Edge(*edge);
                 let (operand, h) = (*operand as usize, edge.halfedge());
-                if is_bottom && i == 0 {
-                    self.bottom[operand] = self.dcel(operand).face(h.twin());
-                }
                 self.gap[operand] = self.dcel(operand).face(h);
             }
         }
@@ -163,11 +160,23 @@ impl<G: BasicTraits, T: Topology<G>> SweepVisitor<G> for OverlayVisitor<'_, '_, 
             self.note_vertex(event, around);
         }
         let is_bottom = event.site.location.v == Along::Low && event.site.location.u == Along::Inside;
-        if let (true, [], Some(last)) = (is_bottom, &*around.right, around.left.last()) {
-            self.set_gap_above(Some(last.tag));
-            self.bottom.copy_from_slice(&self.gap);
+        if is_bottom {
+            // What is below all strands to the right of here: for each operand, what lies below its lowest edge that begins here, or
+            // above its highest one that ends here.
+            if let Some(last) = around.left.last() {
+                self.set_gap_above(Some(last.tag));
+                self.bottom.copy_from_slice(&self.gap);
+            }
+            for i in (0..around.right.len()).rev() {
+                for (operand, edge) in around.curves_of(i).filter_map(|curve| self.origins.curves.get(curve))
+                {
+                    self.bottom[*operand as usize] =
+                        self.dcel(*operand as usize).face(edge.halfedge().twin());
+                }
+            }
+            self.set_gap_above(around.below);
         }
-        self.note_edges(around, is_bottom);
+        self.note_edges(around);
         ControlFlow::Continue(())
     }
 }

@@ -30,6 +30,7 @@ pub fn locate_all<G: UMonotoneTraits, T: Topology<G>>(
     let face = arrangement.corner_face();
     let mut locator = Locator {
         arrangement,
+        input: &input,
         numbers,
         first_query,
         cells: vec![Cell::Face(face); points.len()],
@@ -39,8 +40,9 @@ pub fn locate_all<G: UMonotoneTraits, T: Topology<G>>(
     locator.cells
 }
 
-struct Locator<'a, G: BasicTraits, T> {
+struct Locator<'a, 'i, G: BasicTraits, T> {
     arrangement: &'a Arrangement<G, T>,
+    input: &'i SweepInput<'a, G>,
     numbers: CellNumbers,
     first_query: usize,
     cells: Vec<Cell>,
@@ -48,7 +50,7 @@ struct Locator<'a, G: BasicTraits, T> {
     bottom: FaceId,
 }
 
-impl<G: BasicTraits, T: Topology<G>> Locator<'_, G, T> {
+impl<G: BasicTraits, T: Topology<G>> Locator<'_, '_, G, T> {
     fn edge(&self, curve: usize) -> EdgeId {
         self.numbers.edges[curve]
     }
@@ -64,7 +66,7 @@ impl<G: BasicTraits, T: Topology<G>> Locator<'_, G, T> {
     }
 }
 
-impl<G: BasicTraits, T: Topology<G>> SweepVisitor<G> for Locator<'_, G, T> {
+impl<G: BasicTraits, T: Topology<G>> SweepVisitor<G> for Locator<'_, '_, G, T> {
     type Tag = Option<EdgeId>;
 
     fn event(&mut self, event: &Event<'_, G>, around: &mut Around<'_, Self::Tag>) -> ControlFlow<()> {
@@ -73,8 +75,10 @@ impl<G: BasicTraits, T: Topology<G>> SweepVisitor<G> for Locator<'_, G, T> {
         for site in event.input_sites.iter().map(|&site| site as usize).filter(|site| queries.contains(site))
         {
             let found = *cell.get_or_insert_with(|| {
-                let vertex =
-                    event.input_sites.iter().find_map(|&site| self.numbers.vertices.get(site as usize));
+                // A vertex on an identified side may have its sites at other places of its point: then an image is here.
+                let mut originals =
+                    event.input_sites.iter().map(|&site| self.input.original_site(site as usize));
+                let vertex = originals.find_map(|site| self.numbers.vertices.get(site));
                 vertex.map_or_else(|| self.cell(around), |&v| Cell::Vertex(v))
             });
             self.cells[site - self.first_query] = found;

@@ -14,6 +14,8 @@ pub(crate) struct InputCurve<'a, G: BasicTraits> {
     /// The sites of its ends.
     pub(crate) ends: [u32; 2],
     pub(crate) group: u32,
+    /// The next one of the curves that end at the same site.
+    pub(crate) next_end: u32,
 }
 
 /// Sites and curves between them. Curves of one *group* are known to have disjoint interiors.
@@ -24,8 +26,10 @@ pub struct SweepInput<'a, G: BasicTraits> {
     /// For each site, the first of the curves that begin there; one more at the end. They are consecutive, from bottom to top, and
     /// do not overlap.
     pub(super) first_start: Vec<u32>,
-    /// For each site, one of the curves that end there.
-    pub(super) any_end: Vec<u32>,
+    /// For each site, the first of the curves that end there; they are a list.
+    pub(super) first_end: Vec<u32>,
+    /// The sites of which the last ones are images on other sides.
+    mirrored_from: Vec<u32>,
 }
 
 impl<'a, G: BasicTraits> SweepInput<'a, G> {
@@ -59,7 +63,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
         let first_curve = self.curves.len();
         for curve in curves {
             let min = self.push_site(Site::of_end(topology, traits, curve, CurveEnd::Min));
-            self.push_curve(InputCurve { curve, ends: [min, NIL], group: NO_GROUP });
+            self.push_curve(InputCurve { curve, ends: [min, NIL], group: NO_GROUP, next_end: NIL });
         }
         for i in first_curve..self.curves.len() {
             let max = self.push_site(Site::of_end(topology, traits, self.curves[i].curve, CurveEnd::Max));
@@ -72,7 +76,13 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
 
     /// No site and no curve.
     pub fn empty() -> Self {
-        Self { sites: Vec::new(), curves: Vec::new(), first_start: vec![0], any_end: Vec::new() }
+        Self {
+            sites: Vec::new(),
+            curves: Vec::new(),
+            first_start: vec![0],
+            first_end: Vec::new(),
+            mirrored_from: Vec::new(),
+        }
     }
 
     /// The number of curves.
@@ -109,8 +119,15 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
         self.sites[site]
     }
 
+    /// The number of the site of which this one is an image on another side; its own number if it is none.
+    #[inline]
+    pub(crate) fn original_site(&self, site: usize) -> usize {
+        let originals = self.sites.len() - self.mirrored_from.len();
+        if site < originals { site } else { self.mirrored_from[site - originals] as usize }
+    }
+
     /// Adds, for each site on an identified side, the other places of its point. So a curve along the side is cut wherever
-    /// another curve comes to it from the far side, and both sides are met at the same points.
+    /// another curve comes to it from the far side, and both sides are met at the same points. Nothing may be added afterwards.
     pub(crate) fn mirror<T: Topology<G>>(&mut self, topology: &T) {
         let sides = topology.sides();
         if !sides.is_u_identified() && !sides.is_v_identified() {
@@ -121,7 +138,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
             _ => [Some(along), None],
         };
         let mut mirrored = Vec::new();
-        for site in &self.sites {
+        for (original, site) in (0..).zip(&self.sites) {
             if site.location.is_interior() || !matches!(site.at, SiteAt::Point(_)) {
                 continue;
             }
@@ -129,6 +146,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
                 for v in images(site.location.v, sides.is_v_identified()).into_iter().flatten() {
                     let location = Location { u, v };
                     if location != site.location {
+                        self.mirrored_from.push(original);
                         mirrored.push(Site { location, at: site.at });
                     }
                 }
@@ -145,7 +163,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
         assert!(number < NIL, "a sweep is over fewer than 2^32 sites");
         self.sites.push(site);
         self.first_start.push(number_of_starts(&self.first_start));
-        self.any_end.push(NIL);
+        self.first_end.push(NIL);
         number
     }
 
@@ -158,8 +176,10 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
 
     /// Says where a curve ends.
     pub(crate) fn end_curve(&mut self, curve: u32, site: u32) {
-        self.curves[curve as usize].ends[1] = site;
-        self.any_end[site as usize] = curve;
+        let first = std::mem::replace(&mut self.first_end[site as usize], curve);
+        let ended = &mut self.curves[curve as usize];
+        ended.ends[1] = site;
+        ended.next_end = first;
     }
 }
 

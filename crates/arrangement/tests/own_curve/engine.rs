@@ -6,9 +6,7 @@ use super::own_curve::{Arc, Curve, Point, TaxicabTraits};
 use splitstar_arrangement::overlay::{Cell, overlay_all};
 use splitstar_arrangement::topology::BoundedPlane;
 use splitstar_arrangement::traits::{ApproxTraits, ArrangementTraits, BasicTraits, CurveEnd};
-use splitstar_arrangement::{
-    Arrangement, CommonEnds, Pieces, do_any_meet, intersections, locate_all, subcurves,
-};
+use splitstar_arrangement::{Arrangement, CommonEnds, do_any_meet, intersections, locate_all, subcurves};
 use std::collections::{BTreeMap, BTreeSet};
 
 type Taxicab = Arrangement<TaxicabTraits, BoundedPlane>;
@@ -122,25 +120,24 @@ fn check_all(curves: &[Curve], random: &mut Random, name: &str) {
         }
     }
 
-    let all = Pieces::of_curves(&TaxicabTraits, curves);
-    let parts = subcurves(&TaxicabTraits, &BoundedPlane, &all);
+    let parts = subcurves(&TaxicabTraits, &BoundedPlane, curves, &[]);
     let parts: Vec<_> = parts.iter().map(nodes).collect();
     assert_eq!(parts.iter().cloned().collect::<BTreeSet<_>>(), Cells::of(curves).edges, "{name}: {curves:?}");
-    check_meetings(curves, &all, name);
+    check_meetings(curves, name);
     check_locations(curves, &arrangement, name);
 }
 
-fn check_meetings(curves: &[Curve], all: &Pieces<TaxicabTraits>, name: &str) {
+fn check_meetings(curves: &[Curve], name: &str) {
     let sets: Vec<BTreeSet<Node>> =
         curves.iter().map(|curve| pieces(curve).into_iter().flat_map(|(path, _)| path).collect()).collect();
     let pairs = || (0..sets.len()).flat_map(|i| (0..i).map(move |j| (i, j)));
     let meet = pairs().any(|(i, j)| !sets[i].is_disjoint(&sets[j]));
-    let found = do_any_meet(&TaxicabTraits, &BoundedPlane, curves, CommonEnds::Count);
+    let found = do_any_meet(&TaxicabTraits, &BoundedPlane, curves, &[], CommonEnds::Count);
     assert_eq!(found, meet, "{name}: {curves:?}");
     // Every vertex that lies on two curves is a meeting, and nothing else.
     let on_two = |v: &Node| sets.iter().filter(|set| set.contains(v)).count() > 1;
     let expected: Vec<Node> = Cells::of(curves).vertices.into_iter().filter(on_two).collect();
-    let found = intersections(&TaxicabTraits, &BoundedPlane, all, CommonEnds::Count);
+    let found = intersections(&TaxicabTraits, &BoundedPlane, curves, &[], CommonEnds::Count);
     let found: Vec<Node> = found.iter().map(|p| (p.u, p.v)).collect();
     assert_eq!(found, expected, "{name}: {curves:?}");
 }

@@ -10,6 +10,7 @@ use crate::curves::{CurveOperand, ground, tell_notes};
 use crate::failure::{Failure, one_line};
 use crate::output;
 use crate::report::{Clock, Seconds};
+use splitstar::arrangement::models::TorusSegmentTraits;
 use splitstar::formats::{self, StarArrangement};
 use splitstar::render::{Frame, RenderError, Scene, SvgOptions};
 
@@ -79,11 +80,17 @@ fn scene(arrangement: &StarArrangement) -> Result<Scene, RenderError> {
         StarArrangement::Linear(arrangement) => Scene::of_arrangement(arrangement, None),
         StarArrangement::Polycurves(arrangement) => Scene::of_arrangement(arrangement, None),
         StarArrangement::Torus(arrangement) => {
-            let period = arrangement.traits().period().each_ref().map(|period| period.approx_f64());
-            Scene::of_arrangement(arrangement, Some(Frame::new([0.0, 0.0], period)?))
+            Scene::of_arrangement(arrangement, Some(rectangle(arrangement.traits())?))
+        }
+        StarArrangement::TorusPolycurves(arrangement) => {
+            Scene::of_arrangement(arrangement, Some(rectangle(arrangement.traits().inner())?))
         }
         _ => unreachable!("no other arrangement is built"),
     }
+}
+
+fn rectangle(traits: &TorusSegmentTraits) -> Result<Frame, RenderError> {
+    Frame::new([0.0, 0.0], traits.period().each_ref().map(|period| period.approx_f64()))
 }
 
 fn summary(report: &CellReport, output: &Place) -> String {
