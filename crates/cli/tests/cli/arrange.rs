@@ -224,7 +224,10 @@ fn wrong_words_are_refused() {
     let out = folder.path("out.svg");
     let rows: &[(&[&str], &str)] = &[
         (&[], "a file to read expected, 0 given"),
-        (&["a", "-o", "out.off"], "an arrangement is not written as `.off`; use .star or .svg, or --format"),
+        (
+            &["a", "-o", "out.off"],
+            "an arrangement is not written as `.off`; use .star or .svg, each also with .gz, or --format",
+        ),
         (&["a", "-o", "out.gz"], "not written as `.gz`"),
         (&["a", "-o", "out.off.gz"], "not written as `.off.gz`; use .star or .svg, each also with .gz"),
         (&["a", "-o", &out, "--format", "off"], "unknown format `off`: star or svg, each also with .gz"),
