@@ -3,9 +3,10 @@
 use crate::arrangement::build::Builder;
 use crate::arrangement::{Arrangement, assemble::assemble};
 use crate::overlay::{Provenance, overlay_with_pieces};
-use crate::sweep::{SweepInput, sweep};
+use crate::sweep::{Progress, SweepInput, Watched, sweep};
 use crate::topology::Topology;
 use crate::traits::{ArrangementTraits, BasicTraits, CurveEnd, Piece, UMonotoneTraits};
+use std::ops::ControlFlow;
 
 /// u-monotone curves and points, to be inserted.
 #[derive(Clone, Debug)]
@@ -54,6 +55,21 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// # Complexity
     /// That of [`sweep`].
     pub fn of_pieces(traits: G, topology: T, pieces: Pieces<G>) -> Self {
+        Self::of_pieces_with(traits, topology, pieces, |_| ControlFlow::Continue(()))
+            .expect("nobody stops the sweep")
+    }
+
+    /// Makes the arrangement of u-monotone curves and points, by one sweep; now and then `watch` is told how far the sweep has come,
+    /// and may stop it. Then there is no arrangement.
+    ///
+    /// # Complexity
+    /// That of [`sweep`]. `watch` is called once in about a thousand events.
+    pub fn of_pieces_with(
+        traits: G,
+        topology: T,
+        pieces: Pieces<G>,
+        watch: impl FnMut(Progress) -> ControlFlow<()>,
+    ) -> Option<Self> {
         let Pieces { curves, is_artificial, points } = pieces;
         let built = {
             let input = SweepInput::of_curves(&traits, &topology, &curves, &points);
@@ -63,11 +79,15 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
                 .flat_map(|end| is_artificial.iter().map(move |is| is[end as usize]));
             let mut flags: Vec<bool> = ends.chain(points.iter().map(|_| false)).collect();
             flags.resize(input.site_count(), true);
-            let mut builder = Builder::new(topology.sides(), &flags);
-            let _ = sweep(&traits, &topology, &input, &mut builder);
-            builder.finish()
+            let builder = Builder::new(topology.sides(), &flags);
+            let mut watched = Watched::new(builder, input.site_count(), watch);
+            if sweep(&traits, &topology, &input, &mut watched).is_break() {
+                return None;
+            }
+            watched.into_inner().finish()
         };
-        assemble(traits, topology, built, curves, |curve| curve)
+        let parts = assemble(&traits, &topology, built, curves, |curve| curve);
+        Some(Self::of_valid_parts(traits, topology, parts))
     }
 
     /// Inserts u-monotone curves and points, by one sweep over them and the edges that are there.
@@ -77,12 +97,9 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     ///
     /// # Complexity
     /// That of [`sweep`], over old edges and new curves: for few curves, insertion one by one is quicker.
-    pub fn insert_pieces(&mut self, pieces: Pieces<G>) -> Provenance
-    where
-        G: Clone,
-    {
-        let (arrangement, provenance) = overlay_with_pieces(&self.traits, &self.topology, &[self], pieces);
-        *self = arrangement;
+    pub fn insert_pieces(&mut self, pieces: Pieces<G>) -> Provenance {
+        let (parts, provenance) = overlay_with_pieces(&self.traits, &self.topology, &[self], pieces);
+        self.set_parts(parts);
         provenance
     }
 }
@@ -106,7 +123,6 @@ impl<G: ArrangementTraits, T: Topology<G>> Arrangement<G, T> {
     /// Inserts general curves, by one sweep over them and the edges that are there: see [`Arrangement::insert_pieces`].
     pub fn insert_curves<'a>(&mut self, curves: impl IntoIterator<Item = &'a G::Curve>) -> Provenance
     where
-        G: Clone,
         G::Curve: 'a,
     {
         let pieces = Pieces::of_curves(&self.traits, curves);

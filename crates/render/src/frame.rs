@@ -159,6 +159,12 @@ impl Frame {
         (1..=turns).map(|k| corners[(start.0 + k) % 4]).filter(|corner| !is_end(corner)).collect()
     }
 
+    /// The corners met when the boundary is walked counterclockwise from one of its points back to it.
+    pub(crate) fn walk_around(&self, from: Point) -> Vec<Point> {
+        let (start, _) = self.place(self.clamp(from));
+        (1..=4).map(|k| self.corners()[(start + k) % 4]).collect()
+    }
+
     /// Side (bottom, right, top, left) and how far along it, increasing counterclockwise.
     fn place(&self, point: Point) -> (usize, f64) {
         let [x, y] = point;

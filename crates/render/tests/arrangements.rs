@@ -33,6 +33,8 @@ fn faces_fill_the_window_once() {
         ("parallel lines", (0..5).map(|k| straight([0, k * k], [3, k * k + 1], LINE)).collect()),
         ("lines far away", vec![straight([0, 1000], [1, 1001], LINE), straight([900, 0], [901, -1], LINE)]),
         ("a pencil", (-3..4).map(|k| straight([0, 0], [2, k], LINE)).collect()),
+        ("one ray", vec![straight([0, 0], [5, 1], RAY)]),
+        ("one vertical ray", vec![straight([0, 0], [0, -1], RAY)]),
         (
             "rays",
             vec![

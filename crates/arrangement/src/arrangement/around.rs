@@ -37,7 +37,8 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// right corner. `Equal` means that the halfedges overlap.
     pub(super) fn compare_around(&self, a: HalfedgeId, b: HalfedgeId) -> Ordering {
         let sites = [a, b].map(|h| self.start_site(h));
-        let [sector_a, sector_b] = [0, 1].map(|i| sector([a, b][i], sites[i].location, sites[i].point().is_some()));
+        let [sector_a, sector_b] =
+            [0, 1].map(|i| sector([a, b][i], sites[i].location, sites[i].point().is_some()));
         sector_a.cmp(&sector_b).then_with(|| match sites[0].point() {
             None => {
                 let order = self.topology.compare_sites(&self.traits, &sites[0], &sites[1]);

@@ -53,14 +53,29 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// assert!(Arrangement::from_parts(LinearTraits, UnboundedPlane, parts).is_err());
     /// ```
     pub fn from_parts(traits: G, topology: T, parts: Parts<G>) -> Result<Self, Vec<Violation>> {
-        let Parts { dcel, points, is_artificial, curves, supports } = parts;
-        let arrangement = Self { traits, topology, dcel, points, is_artificial, curves, supports };
+        let arrangement = Self::of_valid_parts(traits, topology, parts);
         let violations = arrangement.find_violations(ENOUGH);
         if violations.is_empty() { Ok(arrangement) } else { Err(violations) }
     }
 }
 
 impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
+    /// Puts an arrangement together from parts that are known to fit.
+    pub(crate) fn of_valid_parts(traits: G, topology: T, parts: Parts<G>) -> Self {
+        let Parts { dcel, points, is_artificial, curves, supports } = parts;
+        Self { traits, topology, dcel, points, is_artificial, curves, supports }
+    }
+
+    /// Replaces all cells by others.
+    pub(crate) fn set_parts(&mut self, parts: Parts<G>) {
+        let Parts { dcel, points, is_artificial, curves, supports } = parts;
+        self.dcel = dcel;
+        self.points = points;
+        self.is_artificial = is_artificial;
+        self.curves = curves;
+        self.supports = supports;
+    }
+
     /// Takes the arrangement apart.
     pub fn into_parts(self) -> Parts<G> {
         let Self { dcel, points, is_artificial, curves, supports, .. } = self;

@@ -180,8 +180,6 @@ impl<'a, G: BasicTraits, T: Topology<G>> UserView<'a, G, T> {
     /// The halfedges from `first` on, up to the first vertex of the view.
     pub fn chain(&self, first: HalfedgeId) -> impl Iterator<Item = HalfedgeId> + '_ {
         let dcel = &self.arrangement.dcel;
-        std::iter::successors(Some(first), |&h| {
-            self.is_hidden(dcel.target(h)).then(|| dcel.next(h))
-        })
+        std::iter::successors(Some(first), |&h| self.is_hidden(dcel.target(h)).then(|| dcel.next(h)))
     }
 }

@@ -8,9 +8,9 @@ mod visitor;
 
 pub use traits::OverlayTraits;
 
-use crate::arrangement::Arrangement;
 use crate::arrangement::assemble::assemble;
 use crate::arrangement::build::Builder;
+use crate::arrangement::{Arrangement, Parts};
 use crate::insert::Pieces;
 use crate::sweep::{SweepInput, sweep};
 use crate::topology::Topology;
@@ -83,7 +83,9 @@ pub fn overlay_all<G: UMonotoneTraits + Clone, T: Topology<G>>(
     operands: &[&Arrangement<G, T>],
 ) -> (Arrangement<G, T>, Provenance) {
     let (first, _) = operands.split_first().expect("an overlay has operands");
-    overlay_with_pieces(first.traits(), first.topology(), operands, Pieces::default())
+    let (traits, topology) = (first.traits(), first.topology());
+    let (parts, provenance) = overlay_with_pieces(traits, topology, operands, Pieces::default());
+    (Arrangement::of_valid_parts(traits.clone(), topology.clone(), parts), provenance)
 }
 
 /// Overlays two arrangements, and calls one of ten functions for each cell of the result.
@@ -101,12 +103,12 @@ pub fn overlay<G: UMonotoneTraits + Clone, T: Topology<G>>(
 }
 
 /// Overlays arrangements and free curves.
-pub(crate) fn overlay_with_pieces<G: UMonotoneTraits + Clone, T: Topology<G>>(
+pub(crate) fn overlay_with_pieces<G: UMonotoneTraits, T: Topology<G>>(
     traits: &G,
     topology: &T,
     operands: &[&Arrangement<G, T>],
     pieces: Pieces<G>,
-) -> (Arrangement<G, T>, Provenance) {
+) -> (Parts<G>, Provenance) {
     let Pieces { curves, is_artificial, points } = pieces;
     let mut curve_supports: Vec<u32> = Vec::new();
     let mut first_support = 0;
@@ -141,5 +143,5 @@ pub(crate) fn overlay_with_pieces<G: UMonotoneTraits + Clone, T: Topology<G>>(
     };
     let supports =
         operands.iter().flat_map(|operand| operand.curves().iter().cloned()).chain(curves).collect();
-    (assemble(traits.clone(), topology.clone(), built, supports, support_of), provenance)
+    (assemble(traits, topology, built, supports, support_of), provenance)
 }

@@ -137,13 +137,13 @@ impl<'s, 'a, G: BasicTraits, T: Topology<G>> OverlayVisitor<'s, 'a, G, T> {
         for f in dcel.faces() {
             let boundary = dcel.face_ccbs(f).next().map(|ccb| dcel.ccb_halfedge(ccb));
             let inside = dcel.isolated_vertices(f).next();
-            for operand in 0..k {
+            for (operand, arrangement) in operands.iter().enumerate() {
                 let face = match (boundary, inside) {
                     (Some(h), _) => face_of(provenance.edges[h.edge() * k + operand], operand, h),
                     (None, Some(v)) => {
                         face_of(provenance.vertices[v.index() * k + operand], operand, HalfedgeId(0))
                     }
-                    (None, None) => operands[operand].corner_face(),
+                    (None, None) => arrangement.corner_face(),
                 };
                 provenance.faces.push(face);
             }
@@ -162,14 +162,12 @@ impl<G: BasicTraits, T: Topology<G>> SweepVisitor<G> for OverlayVisitor<'_, '_, 
         if self.builder.points.len() > vertices {
             self.note_vertex(event, around);
         }
-        let is_bottom = event.site.location.v == Along::Low;
-        if is_bottom && around.right.is_empty() && event.site.location.u == Along::Inside {
-            if let Some(last) = around.left.last() {
-                self.set_gap_above(Some(last.tag));
-                self.bottom.copy_from_slice(&self.gap);
-            }
+        let is_bottom = event.site.location.v == Along::Low && event.site.location.u == Along::Inside;
+        if let (true, [], Some(last)) = (is_bottom, &*around.right, around.left.last()) {
+            self.set_gap_above(Some(last.tag));
+            self.bottom.copy_from_slice(&self.gap);
         }
-        self.note_edges(around, is_bottom && event.site.location.u == Along::Inside);
+        self.note_edges(around, is_bottom);
         ControlFlow::Continue(())
     }
 }

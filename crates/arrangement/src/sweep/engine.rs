@@ -1,7 +1,7 @@
 //! Events in order, and the status line kept up to date.
 
 use super::input::{InputCurve, NO_GROUP, SweepInput};
-use super::queue::{Ahead, Queue};
+use super::queue::{Ahead, Queue, compare_keys};
 use super::status::{NIL, Status, StrandData};
 use super::visitor::{Around, Event, Link, Strand, SweepVisitor};
 use crate::topology::{Site, Topology};
@@ -40,6 +40,8 @@ pub(super) struct Buffers<T> {
 #[derive(Debug)]
 pub(super) struct Stop<'i, G: UMonotoneTraits> {
     pub(super) site: Site<'i, G>,
+    /// The order key of its point, if it has one and is in the interior; else 0.
+    key: u64,
     /// The curves that begin here, and one of those that end here.
     pub(super) starts: Range<u32>,
     any_end: u32,
@@ -77,17 +79,24 @@ pub(super) struct Engine<'a, 'i, G: UMonotoneTraits, T, Tag> {
 impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a, 'i, G, T, Tag> {
     fn new(traits: &'a G, topology: &'a T, input: &SweepInput<'i, G>) -> Self {
         let sites = &input.sites;
-        let mut order: Vec<u32> = (0..sites.len() as u32).collect();
+        let key = |site: &Site<'i, G>| match site.point() {
+            Some(point) if site.location.is_interior() => traits.order_key(point),
+            _ => 0,
+        };
+        let mut keyed: Vec<(u64, u32)> = sites.iter().map(key).zip(0..).collect();
         // Stable, and quick where the sites are already in order, as those of an arrangement usually are.
-        order.sort_by(|&a, &b| topology.compare_sites(traits, &sites[a as usize], &sites[b as usize]));
+        keyed.sort_by(|&(key_a, a), &(key_b, b)| {
+            compare_keys(key_a, key_b)
+                .unwrap_or_else(|| topology.compare_sites(traits, &sites[a as usize], &sites[b as usize]))
+        });
         let mut rank = vec![0; sites.len()];
-        for (place, &site) in order.iter().enumerate() {
+        for (place, &(_, site)) in keyed.iter().enumerate() {
             rank[site as usize] = place as u32;
         }
-        let stop = |&site: &u32| {
+        let stop = |&(key, site): &(u64, u32)| {
             let site = site as usize;
             let starts = input.first_start[site]..input.first_start[site + 1];
-            Stop { site: sites[site], starts, any_end: input.any_end[site], passing: NIL }
+            Stop { site: sites[site], key, starts, any_end: input.any_end[site], passing: NIL }
         };
         let way = |&InputCurve { curve, ends, group }: &InputCurve<'i, G>| {
             let end = &sites[ends[1] as usize];
@@ -98,8 +107,8 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
             traits,
             topology,
             sides: topology.sides(),
-            stops: order.iter().map(stop).collect(),
-            order,
+            stops: keyed.iter().map(stop).collect(),
+            order: keyed.into_iter().map(|(_, site)| site).collect(),
             ways: input.curves.iter().map(way).collect(),
             links: vec![Link { node: NIL, next: NIL }; input.curves.len()],
             status: Status::new(),
@@ -120,10 +129,9 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
                 (None, None) => return ControlFlow::Continue(()),
                 (Some(_), None) => Ordering::Greater,
                 (None, Some(_)) => Ordering::Less,
-                (Some(stop), Some(ahead)) => {
-                    let meeting = Site::interior(&ahead.point);
-                    self.topology.compare_sites(traits, &meeting, &stop.site)
-                }
+                (Some(stop), Some(ahead)) => compare_keys(ahead.key, stop.key).unwrap_or_else(|| {
+                    self.topology.compare_sites(traits, &Site::interior(&ahead.point), &stop.site)
+                }),
             };
             let (from, met) = (cursor, self.queue_pop_if(meeting_first.is_le(), is_less));
             if meeting_first.is_ge() {
@@ -147,7 +155,9 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
                     hit = self.mark_curve(curve, hit);
                 }
                 while self.queue.first().is_some_and(|next| {
-                    next.curves == ahead.curves || traits.is_same_point(&next.point, &ahead.point)
+                    next.curves == ahead.curves
+                        || compare_keys(next.key, ahead.key).is_none()
+                            && traits.is_same_point(&next.point, &ahead.point)
                 }) {
                     let next = self.queue.pop(is_less).expect("the queue has a first meeting");
                     if next.curves != ahead.curves {
@@ -186,11 +196,14 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
 
     /// The place after the sites that are equal to the one at `cursor`.
     fn end_of_equal_sites(&self, cursor: usize) -> usize {
-        let site = |place: usize| &self.stops[place].site;
+        let first = &self.stops[cursor];
+        let is_equal = |stop: &Stop<'_, G>| {
+            compare_keys(first.key, stop.key)
+                .unwrap_or_else(|| self.topology.compare_sites(self.traits, &first.site, &stop.site))
+                == Ordering::Equal
+        };
         let mut end = cursor + 1;
-        while end < self.stops.len()
-            && self.topology.compare_sites(self.traits, site(cursor), site(end)) == Ordering::Equal
-        {
+        while self.stops.get(end).is_some_and(is_equal) {
             end += 1;
         }
         end
@@ -385,6 +398,7 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
     pub(super) fn push_meeting(&mut self, point: G::Point, curves: [u32; 2], multiplicity: Multiplicity) {
         let traits = self.traits;
         let is_less = |p: &G::Point, q: &G::Point| traits.compare_uv(p, q) == Ordering::Less;
-        self.queue.push(Ahead { point, curves, multiplicity }, is_less);
+        let key = traits.order_key(&point);
+        self.queue.push(Ahead { point, key, curves, multiplicity }, is_less);
     }
 }

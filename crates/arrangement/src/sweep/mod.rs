@@ -5,7 +5,7 @@
 //! | input | `input` | sites and curves between them |
 //! | structures | `status`, `queue` | what meets the sweep line; meetings that lie ahead |
 //! | algorithm | `engine`, `right` | events in order; what begins at an event, and in which order |
-//! | output | `visitor` | events, with the subcurves around them |
+//! | output | `visitor`, `watched` | events, with the subcurves around them; how far it has come |
 //!
 //! # The algorithm
 //! Bentley and Ottmann's, without general position:
@@ -34,8 +34,10 @@ mod queue;
 mod right;
 mod status;
 mod visitor;
+mod watched;
 
 pub(crate) use cells::CellNumbers;
 pub use engine::sweep;
 pub use input::{NO_GROUP, SweepInput};
 pub use visitor::{Around, Event, Members, Strand, SweepVisitor};
+pub use watched::{Progress, Watched};

@@ -3,11 +3,14 @@
 //! `std`'s heap compares by `Ord`, which cannot reach the traits object that compares points.
 
 use crate::traits::Multiplicity;
+use std::cmp::Ordering;
 
 /// A common point of two curves, found and not yet reached.
 #[derive(Debug)]
 pub(super) struct Ahead<P> {
     pub(super) point: P,
+    /// The order key of the point; 0 if it has none.
+    pub(super) key: u64,
     pub(super) curves: [u32; 2],
     pub(super) multiplicity: Multiplicity,
 }
@@ -16,7 +19,8 @@ pub(super) struct Ahead<P> {
 pub(super) struct Queue<P> {
     slots: Vec<Option<Ahead<P>>>,
     free: Vec<u32>,
-    heap: Vec<u32>,
+    /// Keys beside slots, so that the points are rarely looked at.
+    heap: Vec<(u64, u32)>,
 }
 
 impl<P> Queue<P> {
@@ -27,10 +31,11 @@ impl<P> Queue<P> {
     /// The first meeting.
     #[inline]
     pub(super) fn first(&self) -> Option<&Ahead<P>> {
-        self.heap.first().map(|&slot| self.at(slot))
+        self.heap.first().map(|&(_, slot)| self.at(slot))
     }
 
     pub(super) fn push(&mut self, ahead: Ahead<P>, is_less: impl Fn(&P, &P) -> bool) {
+        let key = ahead.key;
         let slot = match self.free.pop() {
             Some(slot) => {
                 self.slots[slot as usize] = Some(ahead);
@@ -41,21 +46,13 @@ impl<P> Queue<P> {
                 u32::try_from(self.slots.len() - 1).expect("fewer than 2^32 meetings lie ahead")
             }
         };
-        let mut place = self.heap.len();
-        self.heap.push(slot);
-        while place > 0 {
-            let parent = (place - 1) / 4;
-            if !is_less(&self.at(slot).point, &self.at(self.heap[parent]).point) {
-                break;
-            }
-            self.heap[place] = self.heap[parent];
-            place = parent;
-        }
-        self.heap[place] = slot;
+        let place = self.heap.len();
+        self.heap.push((key, slot));
+        self.rise(place, (key, slot), is_less);
     }
 
     pub(super) fn pop(&mut self, is_less: impl Fn(&P, &P) -> bool) -> Option<Ahead<P>> {
-        let first = *self.heap.first()?;
+        let &(_, first) = self.heap.first()?;
         let moved = self.heap.pop()?;
         if !self.heap.is_empty() {
             self.sink(moved, is_less);
@@ -64,9 +61,9 @@ impl<P> Queue<P> {
         self.slots[first as usize].take()
     }
 
-    /// Puts a slot at the root, and lets it sink to its place: all the way down along the least children, then up again, which
+    /// Puts an entry at the root, and lets it sink to its place: all the way down along the least children, then up again, which
     /// compares less, because what comes from the end of the heap belongs near it.
-    fn sink(&mut self, slot: u32, is_less: impl Fn(&P, &P) -> bool) {
+    fn sink(&mut self, entry: (u64, u32), is_less: impl Fn(&P, &P) -> bool) {
         let mut place = 0;
         loop {
             let first_child = 4 * place + 1;
@@ -75,28 +72,47 @@ impl<P> Queue<P> {
             }
             let mut least = first_child;
             for child in first_child + 1..(first_child + 4).min(self.heap.len()) {
-                if is_less(&self.at(self.heap[child]).point, &self.at(self.heap[least]).point) {
+                if self.is_before(self.heap[child], self.heap[least], &is_less) {
                     least = child;
                 }
             }
             self.heap[place] = self.heap[least];
             place = least;
         }
+        self.rise(place, entry, is_less);
+    }
+
+    /// Puts an entry at a free place, and lets it rise.
+    fn rise(&mut self, mut place: usize, entry: (u64, u32), is_less: impl Fn(&P, &P) -> bool) {
         while place > 0 {
             let parent = (place - 1) / 4;
-            if !is_less(&self.at(slot).point, &self.at(self.heap[parent]).point) {
+            if !self.is_before(entry, self.heap[parent], &is_less) {
                 break;
             }
             self.heap[place] = self.heap[parent];
             place = parent;
         }
-        self.heap[place] = slot;
+        self.heap[place] = entry;
+    }
+
+    #[inline]
+    fn is_before(&self, a: (u64, u32), b: (u64, u32), is_less: impl Fn(&P, &P) -> bool) -> bool {
+        match compare_keys(a.0, b.0) {
+            Some(order) => order.is_lt(),
+            None => is_less(&self.at(a.1).point, &self.at(b.1).point),
+        }
     }
 
     #[inline]
     fn at(&self, slot: u32) -> &Ahead<P> {
         self.slots[slot as usize].as_ref().expect("a slot in the heap is filled")
     }
+}
+
+/// The order of two points, if their keys tell it.
+#[inline]
+pub(super) fn compare_keys(a: u64, b: u64) -> Option<Ordering> {
+    (a != b && a != 0 && b != 0).then(|| a.cmp(&b))
 }
 
 #[cfg(test)]
@@ -117,7 +133,8 @@ mod tests {
                 assert_eq!(queue.first().map(|ahead| ahead.point), model.last().copied());
                 assert_eq!(queue.pop(less).map(|ahead| ahead.point), model.pop());
             } else {
-                queue.push(Ahead { point: value, curves: [0, 1], multiplicity: Multiplicity::Odd }, less);
+                let (key, curves) = (u64::from(value / 16 * (value % 2)), [0, 1]);
+                queue.push(Ahead { point: value, key, curves, multiplicity: Multiplicity::Odd }, less);
                 model.push(value);
             }
         }

@@ -42,9 +42,19 @@ pub trait BasicTraits: Send + Sync {
     /// Thesis, section 2.5, "Compare xy".
     fn compare_uv(&self, p: &Self::Point, q: &Self::Point) -> Ordering;
 
+    /// Gives a number that orders points as far as it goes; 0 if it has none.
+    ///
+    /// Law: if two points have keys other than 0 and these are different, they are ordered as the points are by
+    /// [`BasicTraits::compare_uv`]. Sorting asks it first. A model may leave it out.
+    #[inline]
+    fn order_key(&self, p: &Self::Point) -> u64 {
+        let _ = p;
+        0
+    }
+
     /// Gives an end of a curve; `None` if that end is on an open side, where there is no point.
     ///
-    /// Law: the point of `Min` is less than that of `Max`, unless both lie on identified or contracted sides.
+    /// Law: the point of `Min` is less than that of `Max`, unless one of them lies on an identified or contracted side.
     ///
     /// # References
     /// Thesis, section 2.5, "Construct min" and "Construct max".
@@ -127,9 +137,15 @@ pub trait BasicTraits: Send + Sync {
 
     /// Tells whether the u-coordinate of `p` lies between those of the ends of a curve, ends included.
     ///
+    /// A model with vertical curves that have no end has to override this: the provided version says yes for them.
+    ///
     /// # References
     /// Thesis, section 2.5.1.
     fn is_in_u_range(&self, p: &Self::Point, curve: &Self::UMonotoneCurve) -> bool {
+        if self.is_vertical(curve) {
+            let end = self.end_point(curve, CurveEnd::Min).or_else(|| self.end_point(curve, CurveEnd::Max));
+            return end.is_none_or(|end| self.compare_u(end, p).is_eq());
+        }
         let from = self.end_point(curve, CurveEnd::Min).is_none_or(|min| self.compare_u(min, p).is_le());
         from && self.end_point(curve, CurveEnd::Max).is_none_or(|max| self.compare_u(p, max).is_le())
     }

@@ -97,7 +97,8 @@ pub trait UMonotoneTraits: BasicTraits {
     /// Finds the next common point of two curves that a sweep has just found to be neighbours.
     ///
     /// `below` is below `above` immediately to the right of `window.after`, and they have no piece in common there. The point
-    /// where a later overlap begins counts as a common point. Points on sides of the parameter space do not count.
+    /// where a later overlap begins counts as a common point. A common point on a side of the parameter space counts only if one of
+    /// the curves runs along that side: then it is `AtEnd`, and the other one ends there.
     ///
     /// The provided version asks [`UMonotoneTraits::intersect`] and looks for the first point in the window. A model that can
     /// tell without finding all intersections should.

@@ -3,9 +3,9 @@
 /// Implements, for a wrapper with a field `traits`, the traits whose methods make no curve: all but `UMonotoneTraits`,
 /// `ArrangementTraits`, `DirectionalTraits` and `ConnectTraits`.
 ///
-/// `$via` is a macro that makes a call: `via!(self, Method, method(kind argument, ...))` or, for a method that appends its answer to
-/// a buffer, `via!(self, Method, method(kind argument, ...) appends out)`. The kind is `curve` for a curve of the wrapper, `end` for
-/// a pair of such a curve and an end, and `plain` for the rest.
+/// `$via` is a macro that makes a call: `via!(self, Method, method(kind argument, ...))` or, for a method that appends its answer
+/// to a buffer, `via!(self, Method, method(kind argument, ...) appends out)`. The kind is `curve` for a curve of the wrapper, `end`
+/// for a pair of such a curve and an end, and `plain` for the rest.
 macro_rules! forward_traits {
     ([$($param:tt)*] $wrapper:ty, $curve:ty, $via:ident) => {
         impl<G: BasicTraits, $($param)*> BasicTraits for $wrapper {
@@ -22,6 +22,11 @@ macro_rules! forward_traits {
             #[inline]
             fn compare_uv(&self, p: &Self::Point, q: &Self::Point) -> Ordering {
                 $via!(self, CompareUv, compare_uv(plain p, plain q))
+            }
+
+            #[inline]
+            fn order_key(&self, p: &Self::Point) -> u64 {
+                $via!(self, OrderKey, order_key(plain p))
             }
 
             #[inline]

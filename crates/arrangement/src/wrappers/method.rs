@@ -30,6 +30,7 @@ macro_rules! methods {
 
 methods! {
     CompareU compare_u,
+    OrderKey order_key,
     CompareUv compare_uv,
     EndPoint end_point,
     IsVertical is_vertical,

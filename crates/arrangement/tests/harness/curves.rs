@@ -94,7 +94,8 @@ pub(crate) fn parse(text: &str) -> Vec<Curve> {
         .map(|item| {
             let mut words = item.split_whitespace();
             let kind = words.next().expect("a curve has a kind");
-            let numbers: Vec<i64> = words.map(|word| word.parse().expect("a coordinate is an integer")).collect();
+            let numbers: Vec<i64> =
+                words.map(|word| word.parse().expect("a coordinate is an integer")).collect();
             match (kind, &numbers[..]) {
                 ("point", &[x, y]) => point(x, y),
                 ("segment", &[x, y, z, w]) => segment([x, y, z, w]),

@@ -1,9 +1,7 @@
 //! Every row, on every model that can carry it, by every route.
 
 use crate::curves::fraction;
-use crate::models::{
-    Linears, MinimalSegments, Model, Numbered, Polylinears, Polylines, Segments, WideTorus,
-};
+use crate::models::{Linears, MinimalSegments, Model, Numbered, Polylinears, Polylines, Segments, WideTorus};
 use crate::oracle::brute_force;
 use crate::routes::{Route, check};
 use crate::rows::rows;
@@ -16,12 +14,22 @@ fn check_rows(model: &impl Model) -> usize {
     let mut run = 0;
     for row in rows() {
         let cells = brute_force(&row.curves);
-        let [vertices, edges, faces, isolated, components] = row.counts;
-        let counts = Counts { vertices, edges, faces, isolated, components };
-        assert_eq!(cells.counts, counts, "brute force: {}", row.name);
         run += usize::from(check(model, &row.curves, &Route::ALL, &cells, &mut rng).is_some());
     }
     run
+}
+
+#[test]
+fn brute_force_finds_what_the_table_says() {
+    let rows = rows();
+    assert!(rows.len() > 100, "there are rows");
+    let wrong = rows.iter().filter_map(|row| {
+        let [vertices, edges, faces, isolated, components] = row.counts;
+        let counts = Counts { vertices, edges, faces, isolated, components };
+        let found = brute_force(&row.curves).counts;
+        (found != counts).then(|| format!("{}: {counts:?}, found {found:?}", row.name))
+    });
+    assert_eq!(wrong.collect::<Vec<_>>(), Vec::<String>::new());
 }
 
 fn bounded_rows() -> usize {

@@ -7,7 +7,14 @@
 
 mod curves;
 mod families;
+mod invariance;
+mod laws;
 mod models;
 mod oracle;
+mod random;
 mod routes;
 mod rows;
+mod torus;
+mod torus_laws;
+mod torus_oracle;
+mod torus_rows;

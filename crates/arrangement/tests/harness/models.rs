@@ -1,6 +1,8 @@
 //! The models, each with the surface that it serves, and how curves become its own.
 
 use crate::curves::{Curve, P, Shape, rational};
+use exact::Rational;
+use exact::planar::Point2;
 use splitstar_arrangement::Pieces;
 use splitstar_arrangement::models::polycurve::{Polycurve, PolycurveTraits};
 use splitstar_arrangement::models::{
@@ -9,8 +11,6 @@ use splitstar_arrangement::models::{
 use splitstar_arrangement::topology::{BoundedPlane, FlatTorus, Topology, UnboundedPlane};
 use splitstar_arrangement::traits::{ArrangementTraits, DirectionalTraits};
 use splitstar_arrangement::wrappers::{ConsolidatedTraits, DataSet, WithData};
-use exact::Rational;
-use exact::planar::Point2;
 use std::fmt::Debug;
 
 /// A family of curves on a surface.
@@ -21,7 +21,12 @@ pub(crate) trait Model: Debug {
     fn traits(&self) -> Self::Traits;
     fn surface(&self) -> Self::Surface;
     /// A curve of the family; `None` if it cannot carry such a one. `number` may become its data.
-    fn curve(&self, shape: Shape, ends: [Point2; 2], number: u32) -> Option<<Self::Traits as ArrangementTraits>::Curve>;
+    fn curve(
+        &self,
+        shape: Shape,
+        ends: [Point2; 2],
+        number: u32,
+    ) -> Option<<Self::Traits as ArrangementTraits>::Curve>;
 
     /// Where the surface has a place of the plane.
     fn place(&self, p: &P) -> P {
@@ -194,7 +199,10 @@ pub(crate) struct WideTorus {
 
 impl WideTorus {
     pub(crate) fn new(period: [i64; 2], shift: P) -> Self {
-        Self { traits: TorusSegmentTraits::new(period.map(rational)).expect("the periods are positive"), shift }
+        Self {
+            traits: TorusSegmentTraits::new(period.map(rational)).expect("the periods are positive"),
+            shift,
+        }
     }
 }
 
@@ -224,4 +232,3 @@ impl Model for WideTorus {
         self.traits.point(&moved).coordinates()
     }
 }
-

@@ -1,11 +1,11 @@
 //! What the cells are, found by brute force: all pairs of curves, in exact arithmetic, with formulas of its own.
 
 use crate::curves::{Curve, P, Shape, rational};
+use exact::planar::Point2;
+use exact::{Rational, Sign};
 use splitstar_arrangement::topology::Topology;
 use splitstar_arrangement::traits::UMonotoneTraits;
 use splitstar_arrangement::{Arrangement, Counts};
-use exact::planar::Point2;
-use exact::{Rational, Sign};
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -176,7 +176,8 @@ pub(crate) fn cells_of<G: UMonotoneTraits<Point = Point2>, T: Topology<G>>(
 
 #[test]
 fn brute_force_counts_what_is_known() {
-    let segments = crate::curves::parse("segment 0 0 2 2, segment 0 2 2 0, segment 1 1 5 1, point 3 1, point 9 9");
+    let segments =
+        crate::curves::parse("segment 0 0 2 2, segment 0 2 2 0, segment 1 1 5 1, point 3 1, point 9 9");
     let counts = brute_force(&segments).counts;
     assert_eq!((counts.vertices, counts.edges, counts.faces), (8, 6, 1));
     assert_eq!((counts.isolated, counts.components), (1, 2));

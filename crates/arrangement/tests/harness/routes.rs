@@ -3,8 +3,8 @@
 use crate::curves::{Curve, P};
 use crate::models::Model;
 use crate::oracle::{Cells, cells_of};
-use splitstar_arrangement::overlay::overlay_all;
 use splitstar_arrangement::Arrangement;
+use splitstar_arrangement::overlay::overlay_all;
 use testkit::Rng;
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]

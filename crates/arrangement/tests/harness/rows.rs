@@ -34,11 +34,13 @@ const ROWS: &[(&str, &str, [usize; 5])] = &[
     ("T from below", "segment 0 0 4 0, segment 2 0 2 -2", [4, 3, 1, 0, 1]),
     ("T from the left", "segment 2 0 2 4, segment 0 1 2 1", [4, 3, 1, 0, 1]),
     ("T from the right", "segment 2 0 2 4, segment 2 1 4 3", [4, 3, 1, 0, 1]),
-    ("T on a diagonal", "segment 0 0 6 3, segment 2 1 2 5, segment 4 2 0 9", [6, 5, 2, 0, 1]),
+    ("T on a diagonal", "segment 0 0 6 3, segment 2 1 2 9, segment 4 2 0 9", [7, 7, 2, 0, 1]),
     ("T from both sides", "segment 0 0 4 0, segment 2 0 2 2, segment 2 0 1 -2", [5, 4, 1, 0, 1]),
-    ("T of many", "segment 0 0 4 0, segment 2 0 1 2, segment 2 0 2 2, segment 2 0 3 2, segment 2 0 4 4", [
-        7, 6, 1, 0, 1,
-    ]),
+    (
+        "T of many",
+        "segment 0 0 4 0, segment 2 0 1 2, segment 2 0 2 2, segment 2 0 3 2, segment 2 0 4 4",
+        [7, 6, 1, 0, 1],
+    ),
     // Overlaps.
     ("identical", "segment 0 0 2 1, segment 0 0 2 1", [2, 1, 1, 0, 1]),
     ("identical, turned round", "segment 0 0 2 1, segment 2 1 0 0, segment 0 0 2 1", [2, 1, 1, 0, 1]),
@@ -49,14 +51,30 @@ const ROWS: &[(&str, &str, [usize; 5])] = &[
     ("nested with a common left end", "segment 0 0 6 3, segment 0 0 4 2", [3, 2, 1, 0, 1]),
     ("nested with a common right end", "segment 0 0 6 3, segment 2 1 6 3", [3, 2, 1, 0, 1]),
     ("nested verticals", "segment 0 0 0 6, segment 0 2 0 4, segment 0 0 0 5", [5, 4, 1, 0, 1]),
-    ("nested three deep", "segment 0 0 9 0, segment 1 0 8 0, segment 2 0 7 0, segment 3 0 6 0", [8, 7, 1, 0, 1]),
+    (
+        "nested three deep",
+        "segment 0 0 9 0, segment 1 0 8 0, segment 2 0 7 0, segment 3 0 6 0",
+        [8, 7, 1, 0, 1],
+    ),
     ("chained", "segment 0 0 2 0, segment 1 0 3 0, segment 2 0 4 0, segment 3 0 5 0", [6, 5, 1, 0, 1]),
     ("end to end", "segment 0 0 2 0, segment 2 0 3 0, segment 3 0 7 0", [4, 3, 1, 0, 1]),
     ("overlap crossed", "segment 0 0 4 0, segment 1 0 5 0, segment 2 -1 3 2", [7, 6, 1, 0, 1]),
     ("vertical overlap crossed", "segment 0 0 0 4, segment 0 2 0 6, segment -1 3 1 3", [7, 6, 1, 0, 1]),
-    ("crossing where an overlap begins", "segment 0 0 4 0, segment 2 0 5 0, segment 1 -1 3 1", [6, 5, 1, 0, 1]),
-    ("overlap ends in a T", "segment 0 0 4 0, segment 2 0 6 0, segment 4 0 4 3, segment 2 0 2 -3", [6, 5, 1, 0, 1]),
-    ("two overlaps cross", "segment 0 0 4 4, segment 1 1 5 5, segment 0 4 4 0, segment -1 5 3 1", [9, 8, 1, 0, 1]),
+    (
+        "crossing where an overlap begins",
+        "segment 0 0 4 0, segment 2 0 5 0, segment 1 -1 3 1",
+        [6, 5, 1, 0, 1],
+    ),
+    (
+        "overlap ends in a T",
+        "segment 0 0 4 0, segment 2 0 6 0, segment 4 0 4 3, segment 2 0 2 -3",
+        [6, 5, 1, 0, 1],
+    ),
+    (
+        "two overlaps cross",
+        "segment 0 0 4 4, segment 1 1 5 5, segment 0 4 4 0, segment -1 5 3 1",
+        [9, 8, 1, 0, 1],
+    ),
     // Points.
     ("a point in a face", "segment 0 0 4 0, segment 4 0 2 4, segment 2 4 0 0, point 2 1", [4, 3, 2, 1, 2]),
     ("a point on an edge", "segment 0 0 4 2, point 2 1", [3, 2, 1, 0, 1]),
@@ -84,21 +102,30 @@ const ROWS: &[(&str, &str, [usize; 5])] = &[
     ("a point on a line", "line 0 0 2 1, point 4 2, point 4 3", [2, 2, 2, 1, 2]),
     ("a point on a vertical line", "line 0 0 0 1, point 0 7, point 1 7, point -1 7", [3, 2, 2, 2, 3]),
     ("a ray down on a line", "ray 0 5 0 4, line 0 0 1 0", [2, 4, 3, 0, 1]),
-    ("rays from one point", "ray 0 0 1 0, ray 0 0 1 3, ray 0 0 0 1, ray 0 0 -2 1, ray 0 0 -1 -1, ray 0 0 0 -1", [
-        1, 6, 6, 0, 1,
-    ]),
+    (
+        "rays from one point",
+        "ray 0 0 1 0, ray 0 0 1 3, ray 0 0 0 1, ray 0 0 -2 1, ray 0 0 -1 -1, ray 0 0 0 -1",
+        [1, 6, 6, 0, 1],
+    ),
     ("rays side by side", "ray 0 0 3 1, ray 0 1 3 2, ray 0 2 3 3", [3, 3, 1, 0, 3]),
     ("rays towards each other", "ray 0 0 1 0, ray 5 1 4 1, ray 2 9 2 8, ray 3 -9 3 -8", [8, 12, 5, 0, 1]),
     ("all kinds", "line 0 0 1 0, ray 0 1 0 2, segment -2 -1 -2 1, point 5 5", [5, 5, 2, 1, 3]),
-    ("a strip closed by segments", "line 0 0 1 0, line 0 1 1 1, segment 0 0 0 1, segment 3 0 3 1", [4, 8, 5, 0, 1]),
-    ("a triangle between lines", "line 0 0 1 0, line 0 9 1 9, segment 1 1 5 1, segment 5 1 3 4, segment 3 4 1 1", [
-        3, 5, 4, 0, 3,
-    ]),
+    (
+        "a strip closed by segments",
+        "line 0 0 1 0, line 0 1 1 1, segment 0 0 0 1, segment 3 0 3 1",
+        [4, 8, 5, 0, 1],
+    ),
+    (
+        "a triangle between lines",
+        "line 0 0 1 0, line 0 9 1 9, segment 1 1 5 1, segment 5 1 3 4, segment 3 4 1 1",
+        [3, 5, 4, 0, 3],
+    ),
 ];
 
 /// All rows: those written out, and the families that have a size.
 pub(crate) fn rows() -> Vec<Row> {
-    let written = ROWS.iter().map(|&(name, text, counts)| Row { name: name.into(), curves: parse(text), counts });
+    let written =
+        ROWS.iter().map(|&(name, text, counts)| Row { name: name.into(), curves: parse(text), counts });
     let mut rows: Vec<Row> = written.collect();
     let mut add = |name: String, curves, counts| rows.push(Row { name, curves, counts });
     for k in [2, 3, 7_usize] {
@@ -119,31 +146,25 @@ pub(crate) fn rows() -> Vec<Row> {
         add(format!("{k} parallel segments"), parallel, [2 * k, k, 1, 0, k]);
         let copies = (0..n).map(|_| segment([1, 5, 4, 3])).collect();
         add(format!("a segment {k} times"), copies, [2, 1, 1, 0, 1]);
-        add(format!("a grid of {k} unit segments a side"), unit_grid(n), [
-            (k + 1) * (k + 1),
-            2 * k * (k + 1),
-            k * k + 1,
-            0,
-            1,
-        ]);
-        let doubled = unit_grid(n).into_iter().chain((0..=n).flat_map(|i| {
-            [segment([i, 0, i, n]), segment([0, i, n, i])]
-        }));
-        add(format!("a grid of {k} unit segments under long ones"), doubled.collect(), [
-            (k + 1) * (k + 1),
-            2 * k * (k + 1),
-            k * k + 1,
-            0,
-            1,
-        ]);
+        add(
+            format!("a grid of {k} unit segments a side"),
+            unit_grid(n),
+            [(k + 1) * (k + 1), 2 * k * (k + 1), k * k + 1, 0, 1],
+        );
+        let doubled = unit_grid(n)
+            .into_iter()
+            .chain((0..=n).flat_map(|i| [segment([i, 0, i, n]), segment([0, i, n, i])]));
+        add(
+            format!("a grid of {k} unit segments under long ones"),
+            doubled.collect(),
+            [(k + 1) * (k + 1), 2 * k * (k + 1), k * k + 1, 0, 1],
+        );
         let crossing = (1..=n).flat_map(|i| [segment([i, 0, i, n + 1]), segment([0, i, n + 1, i])]);
-        add(format!("{k} by {k} that cross"), crossing.collect(), [
-            k * k + 4 * k,
-            2 * k * (k + 1),
-            (k - 1) * (k - 1) + 1,
-            0,
-            1,
-        ]);
+        add(
+            format!("{k} by {k} that cross"),
+            crossing.collect(),
+            [k * k + 4 * k, 2 * k * (k + 1), (k - 1) * (k - 1) + 1, 0, 1],
+        );
     }
     let nested: Vec<Curve> = (1..=10).flat_map(square).collect();
     add("squares ten deep".into(), nested.clone(), [40, 40, 11, 0, 10]);
@@ -154,9 +175,11 @@ pub(crate) fn rows() -> Vec<Row> {
     add("squares ten deep with points between".into(), with_points, [50, 40, 11, 10, 20]);
     let rhombi = (1..=10).flat_map(rhombus).collect();
     add("rhombi ten deep".into(), rhombi, [40, 40, 11, 0, 10]);
-    let square_at = |x, y| square(1).map(|curve| curve.mapped(|[u, v]| {
-        [u + crate::curves::rational(x), v + crate::curves::rational(y)]
-    }));
+    let square_at = |x, y| {
+        square(1).map(|curve| {
+            curve.mapped(|[u, v]| [u + crate::curves::rational(x), v + crate::curves::rational(y)])
+        })
+    };
     let holes = [(-5, -5), (-5, 5), (5, 0)].into_iter().flat_map(|(x, y)| square_at(x, y)).chain(square(9));
     add("a square with three holes".into(), holes.collect(), [16, 16, 5, 0, 4]);
     let corners = [[0, 10], [6, -8], [-9, 3], [9, 3], [-6, -8]];
@@ -169,7 +192,8 @@ pub(crate) fn rows() -> Vec<Row> {
 }
 
 fn unit_grid(n: i64) -> Vec<Curve> {
-    let along = (0..n).flat_map(|i| (0..=n).flat_map(move |j| [segment([i, j, i + 1, j]), segment([j, i + 1, j, i])]));
+    let along = (0..n)
+        .flat_map(|i| (0..=n).flat_map(move |j| [segment([i, j, i + 1, j]), segment([j, i + 1, j, i])]));
     along.collect()
 }
 

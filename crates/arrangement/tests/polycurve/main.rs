@@ -1,5 +1,7 @@
 //! Polycurves over the rational segments of the tests.
 
+#![allow(clippy::unwrap_used)]
+
 #[path = "../common/rational_segments.rs"]
 mod rational_segments;
 

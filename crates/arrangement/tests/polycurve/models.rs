@@ -9,7 +9,7 @@ use splitstar_arrangement::models::{
 };
 use splitstar_arrangement::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
 use splitstar_arrangement::traits::{
-    ApproxTraits, BoundedTraits, CurveEnd, Intersection, Piece, UMonotoneTraits,
+    ApproxTraits, BasicTraits, BoundedTraits, CurveEnd, Intersection, Piece, UMonotoneTraits,
 };
 
 fn p(u: i64, v: i64) -> Point2 {
@@ -127,7 +127,6 @@ fn chains_on_a_torus_are_cut_at_its_sides() {
         assert!(has_side, "{common:?}");
     }
     // A point on the left is on the right, too.
-    use splitstar_arrangement::traits::BasicTraits;
     assert!(traits.is_on_curve(&p(0, 3), first) && traits.is_in_u_range(&p(0, 3), first));
     assert!(traits.compare_v_at_u(&p(0, 5), first).is_gt());
     assert_eq!(traits.end_point(first, CurveEnd::Max), Some(&p(0, 3)));

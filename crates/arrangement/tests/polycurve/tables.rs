@@ -221,7 +221,8 @@ fn splitting_merging_and_trimming() {
 
 #[test]
 fn arrangements_of_polylines() {
-    let rows: &[(&str, &[&str], [usize; 3], [usize; 3])] = &[
+    type Row = (&'static str, &'static [&'static str], [usize; 3], [usize; 3]);
+    let rows: &[Row] = &[
         ("open", &["0 0 1 1 2 0"], [2, 1, 1], [2, 1, 1]),
         ("turning", &["0 0 2 0 1 3"], [2, 1, 1], [3, 2, 1]),
         ("triangle", &["0 0 4 0 2 2 0 0"], [1, 1, 2], [2, 2, 2]),

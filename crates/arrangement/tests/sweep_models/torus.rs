@@ -3,6 +3,7 @@
 use crate::watcher::{Counts, swept};
 use exact::planar::Point2;
 use exact::{Rational, Sign};
+use splitstar_arrangement::Arrangement;
 use splitstar_arrangement::models::{TorusPath, TorusSegment, TorusSegmentTraits};
 use splitstar_arrangement::topology::FlatTorus;
 use splitstar_arrangement::traits::{
@@ -237,6 +238,29 @@ fn paths_on_a_torus_as_in_the_universal_cover() {
             assert_eq!(points_by_pairs(&traits, &curves, &points), all, "{case}");
             let expected = counts_by_cover(&all, &curves, &period);
             assert_eq!(swept(&traits, &FlatTorus, &curves, &points), expected, "{case}");
+        }
+    }
+}
+
+/// Edges are parts of their curves: what is inserted later meets parts only, along the sides too.
+#[test]
+fn paths_one_after_the_other() {
+    for (number, (size, reach)) in [(1, 2), (2, 2), (4, 2)].into_iter().enumerate() {
+        for round in 0..60 {
+            let seed = (number as u64) << 40 | round;
+            let mut rng = Rng::new(seed);
+            let traits = TorusSegmentTraits::new([size.into(), size.into()]).expect("positive periods");
+            let paths: Vec<_> =
+                (0..2 + rng.index(4)).map(|_| random_path(&traits, &mut rng, size, reach)).collect();
+            let whole = Arrangement::of_curves(traits.clone(), FlatTorus, &paths);
+            let mut grown = Arrangement::new(traits, FlatTorus);
+            for path in &paths {
+                grown.insert_curves([path]);
+                assert_eq!(grown.check_valid(), [], "{size} {reach}, seed {seed:#x}: {paths:?}");
+            }
+            let case = format!("{size} {reach}, seed {seed:#x}: {paths:?}");
+            assert_eq!(grown.counts(), whole.counts(), "{case}");
+            assert_eq!(grown.counts_with_splits(), whole.counts_with_splits(), "{case}");
         }
     }
 }

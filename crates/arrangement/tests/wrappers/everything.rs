@@ -18,6 +18,10 @@ impl BasicTraits for Everything {
 
     const MEET_ONCE: bool = true;
 
+    fn order_key(&self, p: &i32) -> u64 {
+        u64::from(p.unsigned_abs())
+    }
+
     fn compare_u(&self, p: &i32, q: &i32) -> Ordering {
         p.cmp(q)
     }
@@ -234,6 +238,7 @@ pub(crate) fn call_each<G: All<Point = i32>>(
     let mut text = vec![
         format!("{:?}", G::MEET_ONCE),
         format!("{:?}", traits.compare_u(&1, &2)),
+        format!("{:?}", traits.order_key(&3)),
         format!("{:?}", traits.compare_uv(&1, &2)),
         format!("{:?}", traits.end_point(a, CurveEnd::Max)),
         format!("{:?}", traits.is_vertical(a)),

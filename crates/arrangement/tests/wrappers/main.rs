@@ -1,5 +1,7 @@
 //! Wrappers: they forward every method, and add what they promise.
 
+#![allow(clippy::unwrap_used)]
+
 #[path = "../common/rational_segments.rs"]
 mod rational_segments;
 
@@ -63,6 +65,7 @@ fn a_trace_has_each_call_with_arguments_and_answer() {
     assert_eq!(lines.len(), Method::ALL.len() - 1);
     for line in [
         "compare_u(1, 2) = Less",
+        "order_key(3) = 3",
         "end_point(Line([1, 2]), Max) = Some(2)",
         "split(Line([1, 2]), 5) = [Line([1, 5]), Line([5, 2])]",
         "intersect(Line([1, 2]), Line([2, 3])) = [Point(7, Even), Overlap(Line([1, 2]))]",

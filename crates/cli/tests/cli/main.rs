@@ -3,6 +3,7 @@
 // A test fails by panicking, in its helpers too.
 #![allow(clippy::unwrap_used)]
 
+mod arrange;
 mod convert;
 mod damaged;
 mod defects;

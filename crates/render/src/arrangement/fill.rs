@@ -3,7 +3,7 @@
 use ::arrangement::Arrangement;
 use ::arrangement::topology::Topology;
 use ::arrangement::traits::ApproxTraits;
-use dcel::{CcbId, FaceId};
+use dcel::{CcbId, FaceId, HalfedgeId};
 
 use super::outline::Outlines;
 use super::torus::{self, unroll};
@@ -31,7 +31,8 @@ pub(super) fn rings<G: ApproxTraits, T: Topology<G>>(
     Some(rings)
 }
 
-/// A CCB in the plane; where it runs through infinity, it goes on along the window.
+/// A CCB in the plane; where it runs through infinity, it goes on along the window: once around, if it comes back by the edge
+/// by which it came.
 fn closed_ring<G: ApproxTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     outlines: &Outlines,
@@ -39,20 +40,23 @@ fn closed_ring<G: ApproxTraits, T: Topology<G>>(
 ) -> Vec<Point> {
     let (dcel, window) = (arrangement.dcel(), &outlines.window);
     let mut ring: Vec<Point> = Vec::new();
-    let mut is_from_infinity = false;
+    let corners_between = |last: Point, first: Point, h: HalfedgeId| {
+        if dcel.prev(h) == h.twin() { window.walk_around(first) } else { window.walk_boundary(last, first) }
+    };
+    let mut from_infinity = None;
     for h in dcel.ccb_cycle(ccb) {
         let chain = outlines.along(h);
         let Some(&first) = chain.first() else { continue };
         if arrangement.is_at_infinity(dcel.source(h)) {
             match ring.last() {
-                Some(&last) => ring.extend(window.walk_boundary(last, first)),
-                None => is_from_infinity = true,
+                Some(&last) => ring.extend(corners_between(last, first, h)),
+                None => from_infinity = Some(h),
             }
         }
         ring.extend(chain);
     }
-    if let (true, Some(&first), Some(&last)) = (is_from_infinity, ring.first(), ring.last()) {
-        ring.extend(window.walk_boundary(last, first));
+    if let (Some(h), Some(&first), Some(&last)) = (from_infinity, ring.first(), ring.last()) {
+        ring.extend(corners_between(last, first, h));
     }
     ring
 }

@@ -155,7 +155,11 @@ impl Search<'_> {
         loop {
             if is_forward {
                 let Some(&seed) = seeds.get(trials.len()) else { return true };
-                trials.push(Trial { candidates: self.candidates(seed), mapped: Vec::new(), known: self.faces.len() });
+                trials.push(Trial {
+                    candidates: self.candidates(seed),
+                    mapped: Vec::new(),
+                    known: self.faces.len(),
+                });
             }
             let seed = seeds[trials.len().saturating_sub(1)];
             let Some(trial) = trials.last_mut() else { return false };

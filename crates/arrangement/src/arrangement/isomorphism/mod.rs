@@ -34,6 +34,8 @@ pub enum Difference {
     Degree(VertexId, VertexId),
     /// The halfedges leave the same point in the same direction and end in different vertices, or come from different directions.
     Edge(HalfedgeId, HalfedgeId),
+    /// The halfedges leave the same point and have no piece there in common; or one that comes from infinity is another one.
+    Curve(HalfedgeId, HalfedgeId),
     /// The halfedges are the same, but one lies on an outer CCB and the other on an inner one.
     CcbKind(HalfedgeId, HalfedgeId),
     /// These faces have a halfedge in common, or an isolated vertex; but other halfedges or vertices of one are not of the other.
@@ -49,15 +51,18 @@ impl fmt::Display for Difference {
             Self::Point(v, w) => write!(f, "vertices {} and {} are at different points", v.0, w.0),
             Self::Degree(v, w) => write!(f, "vertices {} and {} have different degrees", v.0, w.0),
             Self::Edge(h, i) => write!(f, "halfedges {} and {} begin alike and end differently", h.0, i.0),
+            Self::Curve(h, i) => write!(f, "halfedges {} and {} begin on different curves", h.0, i.0),
             Self::CcbKind(h, i) => write!(f, "halfedges {} and {} lie on CCBs of different kinds", h.0, i.0),
-            Self::Face(a, b) => write!(f, "faces {} and {} have some of their boundary in common, not all", a.0, b.0),
+            Self::Face(a, b) => {
+                write!(f, "faces {} and {} have some of their boundary in common, not all", a.0, b.0)
+            }
         }
     }
 }
 
 impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// Tells whether another arrangement is the same one: the same points, connected by the same edges in the same order around
-    /// them, and the same faces between.
+    /// them, and the same faces between. Of edges it is compared where they begin and end, and that they are the same curve there.
     ///
     /// # Complexity
     /// O(n log n) comparisons of points and curves for n cells.
@@ -93,10 +98,34 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         if let Some(dart) = (0..a.darts.len()).find(|&dart| a.twins[dart] != b.twins[dart]) {
             return Some(Difference::Edge(a.darts[dart], b.darts[dart]));
         }
+        let mut starts = a.darts.iter().zip(&b.darts);
+        if let Some((&h, &i)) = starts.find(|&(&h, &i)| !self.begins_alike(h, other, i)) {
+            return Some(Difference::Curve(h, i));
+        }
         if f[0] != f[1] {
             return Some(Difference::FaceCount(f));
         }
         self.difference_of_faces(other, &a, &b)
+    }
+
+    /// Tells whether two halfedges that leave one point have a piece there in common.
+    fn begins_alike(&self, h: HalfedgeId, other: &Self, i: HalfedgeId) -> bool {
+        let (site, other_site) = (self.start_site(h), other.start_site(i));
+        let is_same_site = self.topology.compare_sites(&self.traits, &site, &other_site).is_eq();
+        let Some(point) = site.point().filter(|_| is_same_site && h.is_even() == i.is_even()) else {
+            // Ends at infinity are the same if the curves near them are.
+            return is_same_site && site.point().is_none();
+        };
+        if h.is_even() {
+            let [a, b] = [self.curve_of(h.edge_id()), other.curve_of(i.edge_id())];
+            self.traits.compare_v_at_u_right(a, b, point).is_eq()
+        } else if G::MEET_ONCE {
+            let [a, b] = [self.curve_of(h.edge_id()), other.curve_of(i.edge_id())];
+            self.traits.compare_v_at_u_left(a, b, point).is_eq()
+        } else {
+            let [a, b] = [self.make_edge_curve(h.edge_id()), other.make_edge_curve(i.edge_id())];
+            self.traits.compare_v_at_u_left(&a, &b, point).is_eq()
+        }
     }
 
     fn difference_of_faces(&self, other: &Self, a: &Skeleton, b: &Skeleton) -> Option<Difference> {

@@ -71,8 +71,7 @@ impl Skeleton {
 
     /// The same seen from the other side of the surface.
     pub(super) fn mirror(&mut self) {
-        let of_twins = |items: &[FaceId], twins: &[u32]| twins.iter().map(|&t| items[t as usize]).collect();
-        self.faces = of_twins(&self.faces, &self.twins);
+        self.faces = self.twins.iter().map(|&t| self.faces[t as usize]).collect();
         self.is_outer = self.twins.iter().map(|&t| self.is_outer[t as usize]).collect();
         // Dart d of a vertex becomes the one that is as far from its end.
         let place = |d: usize| {

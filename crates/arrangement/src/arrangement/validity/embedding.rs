@@ -56,7 +56,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
                 return;
             }
             let degree = self.dcel.degree(v) as u32;
-            if met[v.index()] != degree && !found.iter().any(|violation| is_meeting(violation)) {
+            if met[v.index()] != degree && !found.iter().any(is_meeting) {
                 found.push(Violation::Unseen(v));
             }
         }

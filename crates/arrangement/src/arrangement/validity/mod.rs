@@ -8,6 +8,8 @@
 
 mod embedding;
 mod kinds;
+#[cfg(test)]
+mod tests;
 
 use super::Arrangement;
 use super::build::Builder;

@@ -9,6 +9,11 @@ impl<S: PieceTraits> BasicTraits for PolycurveTraits<S> {
     type UMonotoneCurve = Chain<S::UMonotoneCurve>;
 
     #[inline]
+    fn order_key(&self, p: &Self::Point) -> u64 {
+        self.pieces.order_key(p)
+    }
+
+    #[inline]
     fn compare_u(&self, p: &Self::Point, q: &Self::Point) -> Ordering {
         self.pieces.compare_u(p, q)
     }

@@ -7,11 +7,11 @@
 //! | traits | `basic`, `meet`, `boundary` | predicates, intersections, and what is known of ends |
 //!
 //! # How it works
-//! 1. A u-monotone chain is a list of u-monotone pieces, each of which begins where the one before it ends. Either no piece of it is
-//!    vertical, or all are. So the pieces of one chain are in lexicographic order, and so are their joints.
-//! 2. A polycurve is cut where it turns back along u, and where it begins or ceases to be vertical. These cuts are artificial:
-//!    results do not show them. So is the start of a closed polycurve. The tip of a foldback, where it
-//!    returns upon itself, is an end like others, and not artificial.
+//! 1. A u-monotone chain is a list of u-monotone pieces, each of which begins where the one before it ends. Either no piece of it
+//!    is vertical, or all are. So the pieces of one chain are in lexicographic order, and so are their joints.
+//! 2. A polycurve is cut where it turns back along u, where it begins or ceases to be vertical, and on the sides of the parameter
+//!    space. These cuts are artificial: results do not show them. So is the start of a closed polycurve. The tip of a foldback,
+//!    where it returns upon itself, is an end like others, and not artificial.
 //! 3. Joints inside a chain are no vertices of an arrangement.
 //! 4. A question about a chain at a point is one about a piece, which is found by binary search. Two chains are compared along
 //!    the u-range that they share by walking along both.
@@ -32,7 +32,8 @@ pub use piece::{ConnectTraits, PieceTraits};
 
 /// Chains of curves of the model `S`.
 ///
-/// It has every refinement that `S` has. It is directional, whether `S` is or not: a chain runs as the polycurve that it was cut from.
+/// It has every refinement that `S` has. It is directional, whether `S` is or not: a chain runs as the polycurve that it was cut
+/// from.
 ///
 /// ```
 /// use exact::planar::Point2;

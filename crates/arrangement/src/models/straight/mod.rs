@@ -199,6 +199,11 @@ macro_rules! straight_traits {
             const MEET_ONCE: bool = true;
 
             #[inline]
+            fn order_key(&self, p: &Self::Point) -> u64 {
+                p.order_key()
+            }
+
+            #[inline]
             fn compare_u(&self, p: &Self::Point, q: &Self::Point) -> std::cmp::Ordering {
                 exact::planar::compare_x(p, q)
             }

@@ -165,6 +165,11 @@ impl BasicTraits for TorusSegmentTraits {
     const MEET_ONCE: bool = true;
 
     #[inline]
+    fn order_key(&self, p: &Point2) -> u64 {
+        p.order_key()
+    }
+
+    #[inline]
     fn compare_u(&self, p: &Point2, q: &Point2) -> Ordering {
         compare_x(p, q)
     }
