@@ -1,5 +1,6 @@
 //! Arrangements made of rows of curves, on all surfaces.
 
+use super::comes_back;
 use arrangement::models::polycurve::PolycurveTraits;
 use arrangement::models::{Linear, LinearTraits, TorusSegmentTraits};
 use arrangement::topology::{FlatTorus, UnboundedPlane};
@@ -113,4 +114,28 @@ pub(crate) fn torus_polycurve_arrangement(period: [i64; 2], rows: &[Row]) -> Sta
         polycurves.push(traits.make_polycurve_of(&paths).unwrap());
     }
     Arrangement::of_curves(traits, FlatTorus, &polycurves).into()
+}
+
+#[test]
+fn chains_on_a_torus_come_back() {
+    let rows = [
+        vec![],
+        vec![Row::Polyline(vec![[1, 1], [2, 3], [3, 2], [2, 1], [1, 1]])],
+        // Through both seams, and the corner.
+        vec![Row::Polyline(vec![[6, 2], [9, 3], [10, 6], [8, 4], [7, 5]])],
+        vec![Row::Polyline(vec![[7, 3], [8, 4], [9, 6]]), Row::Polyline(vec![[7, 5], [9, 3]])],
+        // Overlaps, from both directions, and a point on them.
+        vec![
+            Row::Polyline(vec![[1, 1], [3, 1], [5, 3]]),
+            Row::Polyline(vec![[6, 2], [4, 2], [3, 1], [2, 1], [1, 2]]),
+            Row::Point([2, 1]),
+        ],
+        vec![Row::Polyline(vec![[5, 0], [5, 3], [6, 3]]), Row::Path([4, 2], [2, 0]), Row::Point([7, 3])],
+    ];
+    let mut paths = 0;
+    for rows in rows {
+        let text = comes_back(&torus_polycurve_arrangement([2, 1], &rows));
+        paths += text.lines().filter(|line| line.starts_with("curve") && line.split(' ').count() > 7).count();
+    }
+    assert!(paths > 5, "{paths}");
 }

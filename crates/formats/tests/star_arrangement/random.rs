@@ -1,8 +1,6 @@
 //! Random arrangements come back, their texts do not depend on the order of curves, and changed texts are read or refused.
 
-use super::models::{
-    Row, linear_arrangement, polycurve_arrangement, torus_arrangement, torus_polycurve_arrangement,
-};
+use super::models::{Row, linear_arrangement, polycurve_arrangement, torus_arrangement};
 use super::{comes_back, read, write};
 use splitstar_formats::{StarArrangement, read_arrangement};
 
@@ -60,22 +58,14 @@ impl Numbers {
         (0..count).map(|_| row(self)).collect()
     }
 
-    fn torus(&mut self, has_polylines: bool) -> Vec<Row> {
+    fn torus(&mut self) -> Vec<Row> {
         let count = self.below(6);
         let row = |numbers: &mut Self| {
             let start = numbers.pair(8);
             let [dx, dy] = numbers.pair(19).map(|d| d - 9);
-            match numbers.below(if has_polylines { 9 } else { 6 }) {
+            match numbers.below(6) {
                 0 => Row::Point(start),
-                1 if !has_polylines => Row::Closed(start, [dx % 3, dy % 3]),
-                // Paths once round along a side are left to those that are no chains.
-                2..6 if has_polylines && (dx == 0 || dy == 0) => Row::Path(start, [dx % 8, dy % 4]),
-                // Across both seams, and no piece once round along a side.
-                6.. => {
-                    let points = 2 + numbers.below(4);
-                    let across = |[x, y]: [i64; 2]| [4 + x, 2 + y % 4];
-                    Row::Polyline((0..points).map(|_| across(numbers.pair(8))).collect())
-                }
+                1 => Row::Closed(start, [dx % 3, dy % 3]),
                 _ => Row::Path(start, [dx, dy]),
             }
         };
@@ -99,32 +89,12 @@ fn torus(rows: &[Row]) -> StarArrangement {
     torus_arrangement([2, 1], rows)
 }
 
-/// Whether the arrangement was made as it should be: that is for the tests of arrangements.
-fn is_valid(arrangement: &StarArrangement) -> bool {
-    match arrangement {
-        StarArrangement::Linear(arrangement) => arrangement.check_valid().is_empty(),
-        StarArrangement::Polycurves(arrangement) => arrangement.check_valid().is_empty(),
-        StarArrangement::Torus(arrangement) => arrangement.check_valid().is_empty(),
-        StarArrangement::TorusPolycurves(arrangement) => arrangement.check_valid().is_empty(),
-        _ => false,
-    }
-}
-
-fn torus_polycurves(rows: &[Row]) -> StarArrangement {
-    torus_polycurve_arrangement([2, 1], rows)
-}
-
-const MAKERS: [(&str, Make); 4] = [
-    ("linear", linear_arrangement),
-    ("polycurves", polycurve_arrangement),
-    ("torus", torus),
-    ("torus polycurves", torus_polycurves),
-];
+const MAKERS: [(&str, Make); 3] =
+    [("linear", linear_arrangement), ("polycurves", polycurve_arrangement), ("torus", torus)];
 
 fn rows(numbers: &mut Numbers, name: &str) -> Vec<Row> {
     match name {
-        "torus" => numbers.torus(false),
-        "torus polycurves" => numbers.torus(true),
+        "torus" => numbers.torus(),
         name => numbers.plane(name == "polycurves"),
     }
 }
@@ -133,24 +103,17 @@ fn rows(numbers: &mut Numbers, name: &str) -> Vec<Row> {
 fn texts_come_back_and_do_not_depend_on_the_order() {
     let mut numbers = Numbers::new(1);
     for (name, make) in MAKERS {
-        let (mut longest, mut refused) = (0, 0);
+        let mut longest = 0;
         for case in 0..1500 {
             let mut rows = rows(&mut numbers, name);
             println!("{name} {case} {rows:?}");
-            let arrangement = make(&rows);
-            if !is_valid(&arrangement) {
-                refused += 1;
-                continue;
-            }
-            let text = comes_back(&arrangement);
+            let text = comes_back(&make(&rows));
             longest = longest.max(text.len());
             numbers.shuffle(&mut rows);
             let again: Vec<Row> = rows.iter().map(turned).collect();
             assert_eq!(write(&make(&again)), text, "{name} {case}: {rows:?}");
         }
         assert!(longest > 1000, "{name}: {longest}");
-        println!("{name}: {refused} not valid");
-        assert!(refused == 0 || name == "torus polycurves" && refused < 100, "{name}: {refused}");
     }
 }
 
