@@ -7,6 +7,7 @@
 use splitstar_formats::read_arrangement;
 use std::fmt::Write;
 use std::fs;
+use std::time::Instant;
 
 const MIB: u64 = 1 << 20;
 
@@ -47,7 +48,9 @@ fn cut(curve: &str, y: impl Fn(usize) -> usize, count: usize) -> String {
 }
 
 fn zigzag(count: usize) -> String {
-    (0..count).fold("polyline".to_string(), |text, i| format!("{text} {i} {}", i % 2))
+    let mut text = "polyline".to_string();
+    (0..count).for_each(|i| write!(text, " {i} {}", i % 2).unwrap());
+    text
 }
 
 /// A chain of many pieces that is one edge.
@@ -83,10 +86,17 @@ fn reading_is_within_the_bound() {
         let bound = 64 * text.len() as u64 + 64 * MIB;
         forget_peak();
         let before = peak();
+        let start = Instant::now();
         let result = read_arrangement(text.as_bytes(), None);
         let taken = peak() - before + text.len() as u64;
         let refused = result.as_ref().err().map_or(String::new(), |error| error.to_string());
-        println!("{name}: {} MiB of {} for {} MiB {refused}", taken / MIB, bound / MIB, text.len() as u64 / MIB);
+        let time = start.elapsed();
+        println!(
+            "{name}: {} MiB of {} for {} bytes, {time:?} {refused}",
+            taken / MIB,
+            bound / MIB,
+            text.len()
+        );
         assert!(taken <= bound, "{name}: {} MiB of {}", taken / MIB, bound / MIB);
         assert!(result.is_ok() || name == "long chain", "{name}: {refused}");
     }

@@ -310,7 +310,7 @@ fn bad_files_say_the_line_and_what_to_do() {
 
 #[test]
 fn other_versions_and_kinds_are_refused() {
-    let rows: [(&[u8], &str); 9] = [
+    let rows: [(&[u8], &str); 10] = [
         (b"star", "line 1: the line ends where the version, `1`, was expected; complete it"),
         (b"star one", "line 1: `one` where the version, `1`, was expected; correct it"),
         (b"star 1", "line 1: the line ends where the kind, `complex`, was expected; complete it"),
