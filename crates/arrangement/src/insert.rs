@@ -79,12 +79,12 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
                 .flat_map(|end| is_artificial.iter().map(move |is| is[end as usize]));
             let mut flags: Vec<bool> = ends.chain(points.iter().map(|_| false)).collect();
             flags.resize(input.site_count(), true);
-            let builder = Builder::new(topology.sides(), &flags);
+            let builder = Builder::new(&topology, &flags);
             let mut watched = Watched::new(builder, input.site_count(), watch);
             if sweep(&traits, &topology, &input, &mut watched).is_break() {
                 return None;
             }
-            watched.into_inner().finish()
+            watched.into_inner().finish(&topology)
         };
         let parts = assemble(&traits, &topology, built, curves, |curve| curve);
         Some(Self::of_valid_parts(traits, topology, parts))

@@ -1,8 +1,13 @@
 //! The command line, from words to values. Knows every verb and option; opens nothing.
 
+mod names;
+
+pub(crate) use names::CellFormat;
+
 use crate::failure::Failure;
 use lexopt::Arg;
 use lexopt::prelude::*;
+use names::{cells_of_name, encoding_of_name, format_names};
 use splitstar::exact::{Rational, Sign};
 use splitstar::formats::{Encoding, Format, Unit};
 use std::ffi::{OsStr, OsString};
@@ -70,15 +75,6 @@ pub(crate) enum Method {
 pub(crate) enum Surface {
     Plane,
     Torus,
-}
-
-/// What an arrangement is written as.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum CellFormat {
-    /// The native text format.
-    Star,
-    /// A picture.
-    Svg,
 }
 
 /// The parts of a motion, in the order in which they are applied.
@@ -373,56 +369,6 @@ impl Run {
         let by_name = || cells_of_name(self.output.as_ref()?).ok();
         self.cells.or_else(by_name).unwrap_or(CellFormat::Star)
     }
-}
-
-impl CellFormat {
-    fn from_name(name: &str) -> Option<Self> {
-        match name {
-            "star" => Some(Self::Star),
-            "svg" => Some(Self::Svg),
-            _ => None,
-        }
-    }
-}
-
-impl Place {
-    /// The name that messages give it.
-    pub(crate) fn shown(&self) -> String {
-        match self {
-            Self::Standard => "-".to_string(),
-            Self::File(path) => path.to_string_lossy().into_owned(),
-        }
-    }
-
-    /// The name of a file in its folder.
-    pub(crate) fn file_name(&self) -> Option<String> {
-        match self {
-            Self::Standard => None,
-            Self::File(path) => path.file_name().map(|name| name.to_string_lossy().into_owned()),
-        }
-    }
-}
-
-/// What an arrangement is written as by the ending of a name; star where a name has no ending.
-fn cells_of_name(output: &Place) -> Result<CellFormat, String> {
-    let name = output.file_name().unwrap_or_default();
-    let Some((_, ending)) = name.rsplit_once('.') else { return Ok(CellFormat::Star) };
-    CellFormat::from_name(&ending.to_ascii_lowercase()).ok_or_else(|| {
-        format!("an arrangement is not written as `.{ending}`; use .star or .svg, or --format: star or svg")
-    })
-}
-
-/// The format by the ending of a name; OFF where a name has no ending.
-fn encoding_of_name(output: &Place) -> Result<Encoding, String> {
-    let name = output.file_name().unwrap_or_default();
-    let Some((_, ending)) = name.rsplit_once('.') else { return Ok(Format::Off.into()) };
-    Encoding::from_file_name(&name).ok_or_else(|| {
-        format!("`.{ending}` is the ending of no format; use another, or --format: {}", format_names())
-    })
-}
-
-fn format_names() -> String {
-    format!("{}, each also with .gz", Format::ALL.map(Format::name).join(", "))
 }
 
 fn place(word: &OsStr) -> Place {

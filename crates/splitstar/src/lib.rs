@@ -63,7 +63,7 @@
 //! let arrangement = Arrangement::of_curves(LinearTraits, UnboundedPlane, &curves);
 //!
 //! let counts = arrangement.counts();
-//! assert_eq!((counts.vertices, counts.edges, counts.faces), (4, 9, 7));
+//! assert_eq!((counts.vertices, counts.edges, counts.faces), (4, 9, 6));
 //! // The ray begins in the triangle and leaves it by a corner.
 //! let bounded = arrangement.dcel().faces().filter(|&face| !arrangement.is_unbounded(face));
 //! assert_eq!(bounded.count(), 1);

@@ -67,7 +67,7 @@ pub struct Arrangement<G: BasicTraits, T> {
 impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
     /// The surface without curves: one face.
     pub fn new(traits: G, topology: T) -> Self {
-        let built = build::Builder::<G::Point>::new(topology.sides(), &[]).finish();
+        let built = build::Builder::<G::Point>::new(&topology, &[]).finish(&topology);
         Self {
             traits,
             topology,

@@ -131,10 +131,10 @@ pub(crate) fn overlay_with_pieces<G: UMonotoneTraits, T: Topology<G>>(
         // Images on other sides decide nothing.
         flags.resize(input.site_count(), true);
         let origins = Origins::of(numbers);
-        let builder = Builder::new(topology.sides(), &flags);
+        let builder = Builder::new(topology, &flags);
         let mut visitor = OverlayVisitor::new(builder, operands, &origins);
         let _ = sweep(traits, topology, &input, &mut visitor);
-        visitor.finish()
+        visitor.finish(topology)
     };
     let swept = curve_supports.len() as u32;
     let support_of = |curve: u32| match curve_supports.get(curve as usize) {

@@ -123,10 +123,10 @@ impl<'s, 'a, G: BasicTraits, T: Topology<G>> OverlayVisitor<'s, 'a, G, T> {
         }
     }
 
-    pub(super) fn finish(self) -> (Built<G::Point>, Provenance) {
+    pub(super) fn finish(self, topology: &T) -> (Built<G::Point>, Provenance) {
         let k = self.operands.len();
         let Self { builder, operands, mut provenance, .. } = self;
-        let built = builder.finish();
+        let built = builder.finish(topology);
         let dcel = &built.dcel;
         let face_of = |cell: Cell, operand: usize, h: HalfedgeId| match cell {
             Cell::Edge(e) if h.is_even() => operands[operand].dcel().face(e.halfedge()),

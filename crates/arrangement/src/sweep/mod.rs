@@ -21,8 +21,9 @@
 //! A curve is not cut: an edge is a curve between two events.
 //!
 //! # Complexity
-//! O((n + k) log n) predicates for n curves and k meetings (incidences counted); the heap may hold meetings of strands that are
-//! not neighbours any more, at most k at once.
+//! O((n + k) log n) predicates for n curves and k incidences of curves with events on them: a curve that runs together with m others
+//! counts at every event on them. The heap may hold meetings of strands that are not neighbours any more, and some twice: at most
+//! two for each event so far.
 //!
 //! # References
 //! Thesis, section 2.4.1; de Berg et al., Computational Geometry, section 2.1.

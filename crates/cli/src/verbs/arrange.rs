@@ -25,7 +25,7 @@ pub(crate) fn arrange(run: &Run) -> Result<(), Failure> {
     let ground = ground(&operands, run)?;
     let mut seconds = Seconds { read: clock.lap(), ..Seconds::default() };
     console.step(run.verb.name());
-    let arrangement = build::arrangement(operands, ground)?;
+    let arrangement = build::arrangement(operands, ground, &console)?;
     let mut report = CellReport::of(&arrangement);
     seconds.compute = clock.lap();
     console.step_done();

@@ -1,6 +1,6 @@
 //! `splitstar arrange`: numbers of cells, messages, what is written.
 
-use crate::{Folder, finish, program, run, run_with};
+use crate::{Folder, finish, model, program, run, run_with};
 use serde_json::Value;
 use std::process::Stdio;
 
@@ -82,6 +82,16 @@ fn cells_are_counted() {
         let drawn = |cell: char| picture.matches(&format!("data-id=\"{cell}")).count() as u64;
         assert_eq!(drawn('e'), with_splits[1], "{name}");
         assert_eq!(drawn('f'), with_splits[2], "{name}");
+    }
+}
+
+#[test]
+fn the_example_files_are_counted() {
+    for (name, counts, with_splits) in
+        [("plane", [25, 38, 18, 2, 5], [34, 47, 18]), ("torus", [8, 9, 3, 1, 3], [18, 19, 3])]
+    {
+        let object = run(&["arrange", &model(&format!("curves/{name}.txt")), "--json"]).json();
+        assert_eq!(cells(&object), (counts, with_splits), "{name}");
     }
 }
 

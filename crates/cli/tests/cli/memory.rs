@@ -75,7 +75,9 @@ fn resident(status: &str) -> Option<u64> {
 #[test]
 fn the_measure_measures() {
     let [cube, ball] = ["convex/cube.off", "convex/ball2.off"].map(model);
-    let [small, large] = [&cube, &ball].map(|file| measure(&["info", file], 1 << 30).0);
+    // A program may have ended before anybody looks: the best of some runs.
+    let peak = |file: &str| (0..20).map(|_| measure(&["info", file], 1 << 30).0).max().unwrap();
+    let [small, large] = [&cube, &ball].map(|file| peak(file));
     assert!(small > MIB / 2 && small < 32 * MIB, "{small}");
     assert!(large > small, "{large}");
 }

@@ -3,16 +3,22 @@
 use super::WRAP;
 use dcel::{CcbId, CcbKind, Dcel, FaceId, Halfedge, HalfedgeId, RawCcb, RawDcel, VertexId};
 
-/// Traces the cycles, and makes the structure. The halfedges have labels in place of CCBs; `faces` has the face of each label.
-/// The first `special` vertices stand for sides of the parameter space.
-pub(super) fn assemble(
-    mut halfedges: Vec<Halfedge>,
-    outgoing: Vec<HalfedgeId>,
-    faces: &[u32],
-    face_count: usize,
-    isolated: Vec<(VertexId, FaceId)>,
-    special: usize,
-) -> Dcel {
+/// What the cells are made of.
+pub(super) struct Raw<'f> {
+    /// With labels in place of CCBs.
+    pub(super) halfedges: Vec<Halfedge>,
+    pub(super) outgoing: Vec<HalfedgeId>,
+    pub(super) isolated: Vec<(VertexId, FaceId)>,
+    /// The face of each label.
+    pub(super) faces: &'f [u32],
+    pub(super) face_count: usize,
+    /// How many vertices stand for sides of the parameter space; they come first.
+    pub(super) special: usize,
+}
+
+/// Traces the cycles, and makes the structure. `kind` gives the kind of a CCB that turns so often.
+pub(super) fn assemble(raw: Raw<'_>, kind: impl Fn(i64) -> CcbKind) -> Dcel {
+    let Raw { mut halfedges, outgoing, isolated, faces, face_count, special } = raw;
     let mut ccbs: Vec<RawCcb> = Vec::with_capacity(face_count);
     let mut is_traced = vec![0_u64; halfedges.len().div_ceil(64)];
     for start in 0..halfedges.len() {
@@ -46,7 +52,8 @@ pub(super) fn assemble(
             }
         }
         debug_assert!(is_special || matches!(half_turns, -2 | 0 | 2), "a CCB turns once or not at all");
-        let kind = if half_turns < 0 && !is_special { CcbKind::Inner } else { CcbKind::Outer };
+        // How a cycle turns at a vertex without a point is not known, and does not matter.
+        let kind = if is_special { CcbKind::Outer } else { kind(half_turns / 2) };
         ccbs.push(RawCcb { first, face, kind });
     }
     Dcel::from_parts(RawDcel { halfedges, outgoing, ccbs, face_count, isolated })

@@ -17,6 +17,7 @@ mod rotation;
 mod sides;
 
 use crate::sweep::{Around, Event, Strand, SweepVisitor};
+use crate::topology::Topology;
 use crate::traits::{Along, BasicTraits, Sides};
 use dcel::{CcbId, Dcel, FaceId, Halfedge, HalfedgeId, VertexId};
 use labels::Labels;
@@ -72,22 +73,21 @@ pub(crate) struct Built<P> {
 }
 
 impl<'s, P: Clone> Builder<'s, P> {
-    pub(crate) fn new(sides: Sides, is_artificial_site: &'s [bool]) -> Self {
+    /// A builder of an empty surface; `is_artificial_site` tells for each site of the input whether a curve was only cut there.
+    pub(crate) fn new<G: BasicTraits<Point = P>, T: Topology<G>>(
+        topology: &T,
+        is_artificial_site: &'s [bool],
+    ) -> Self {
         let mut labels = Labels::new();
         let first = labels.fresh();
-        let (mut outgoing, mut points, mut is_artificial) = (Vec::new(), Vec::new(), Vec::new());
-        let on_sides = SideVertices::new(sides, || {
-            outgoing.push(HalfedgeId::NONE);
-            points.push(None);
-            is_artificial.push(false);
-            VertexId::new(outgoing.len() - 1)
-        });
+        let special = special_count(topology);
+        let on_sides = SideVertices::new(topology.sides(), topology.side_vertices());
         Self {
             is_artificial_site,
             halfedges: Vec::new(),
-            outgoing,
-            points,
-            is_artificial,
+            outgoing: vec![HalfedgeId::NONE; special],
+            points: vec![None; special],
+            is_artificial: vec![false; special],
             edge_curves: Vec::new(),
             overlaps: Vec::new(),
             isolated: Vec::new(),
@@ -95,21 +95,11 @@ impl<'s, P: Clone> Builder<'s, P> {
             bottom: first,
             top: first,
             is_before_interior: true,
-            sides,
+            sides: topology.sides(),
             on_sides,
             around: Vec::new(),
             last_vertex: VertexId(0),
         }
-    }
-
-    /// The vertices that stand for sides; they come first.
-    pub(crate) fn special_count(sides: Sides) -> usize {
-        let mut count = 0;
-        SideVertices::new(sides, || {
-            count += 1;
-            VertexId(count - 1)
-        });
-        count as usize
     }
 
     #[inline]
@@ -278,10 +268,10 @@ impl<'s, P: Clone> Builder<'s, P> {
     }
 
     /// Makes the cells.
-    pub(crate) fn finish(mut self) -> Built<P> {
+    pub(crate) fn finish<G: BasicTraits<Point = P>, T: Topology<G>>(mut self, topology: &T) -> Built<P> {
         self.leave_left_side();
         self.on_sides.join_last(&mut self.labels, 0, self.top);
-        let special = Self::special_count(self.sides);
+        let special = special_count(topology);
         let mut is_attached = vec![false; if self.on_sides.is_empty() { 0 } else { self.outgoing.len() }];
         for (vertex, leaving) in self.on_sides.link(&mut self.halfedges) {
             self.outgoing[vertex.index()] = leaving;
@@ -297,15 +287,33 @@ impl<'s, P: Clone> Builder<'s, P> {
                 isolated.push((vertex, FaceId(faces[label as usize])));
             }
         }
-        let dcel = cycles::assemble(self.halfedges, self.outgoing, &faces, face_count, isolated, special);
+        let raw = cycles::Raw {
+            halfedges: self.halfedges,
+            outgoing: self.outgoing,
+            isolated,
+            faces: &faces,
+            face_count,
+            special,
+        };
+        let dcel = cycles::assemble(raw, |turns| topology.ccb_kind(turns));
+        // As soon as anything else happens at a cut, it is an ordinary vertex.
+        let mut is_artificial = self.is_artificial;
+        for (v, is) in is_artificial.iter_mut().enumerate().filter(|(_, is)| **is) {
+            *is = dcel.degree(VertexId::new(v)) == 2;
+        }
         Built {
             dcel,
             points: self.points,
-            is_artificial: self.is_artificial,
+            is_artificial,
             edge_curves: self.edge_curves,
             overlaps: self.overlaps,
         }
     }
+}
+
+/// The number of vertices that stand for sides; they come first.
+pub(crate) fn special_count<G: BasicTraits, T: Topology<G>>(topology: &T) -> usize {
+    topology.side_vertices().into_iter().flatten().max().map_or(0, |last| last as usize + 1)
 }
 
 fn leaving_right(right: &[Strand<BuildTag>]) -> impl Iterator<Item = HalfedgeId> + '_ {

@@ -2,7 +2,7 @@
 
 use super::labels::Labels;
 use super::rotation::link;
-use crate::traits::{Along, Location, SideKind, Sides};
+use crate::traits::{Along, Location, Sides};
 use dcel::{Halfedge, HalfedgeId, VertexId};
 
 /// What becomes of an event on a side.
@@ -45,21 +45,9 @@ pub(super) struct SideVertices {
 }
 
 impl SideVertices {
-    /// Adds the special vertices by calling `add`.
-    pub(super) fn new(sides: Sides, mut add: impl FnMut() -> VertexId) -> Self {
-        let mut special = [None; 4];
-        let kinds = [sides.u[0], sides.u[1], sides.v[0], sides.v[1]];
-        // Open sides that meet in corners are closed by one point.
-        let is_one_infinity = !sides.is_u_identified() && !sides.is_v_identified();
-        let mut infinity = None;
-        for (side, kind) in kinds.into_iter().enumerate() {
-            special[side] = match kind {
-                SideKind::Closed | SideKind::Identified => None,
-                SideKind::Contracted => Some(add()),
-                SideKind::Open if is_one_infinity => Some(*infinity.get_or_insert_with(&mut add)),
-                SideKind::Open => Some(add()),
-            };
-        }
+    /// `special` has the vertex that stands for each side: see [`crate::topology::Topology::side_vertices`].
+    pub(super) fn new(sides: Sides, special: [Option<u32>; 4]) -> Self {
+        let special = special.map(|vertex| vertex.map(VertexId));
         Self {
             sides,
             special,

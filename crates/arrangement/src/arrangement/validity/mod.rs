@@ -12,7 +12,7 @@ mod kinds;
 mod tests;
 
 use super::Arrangement;
-use super::build::Builder;
+use super::build::special_count;
 use crate::topology::Topology;
 use crate::traits::{Along, CurveEnd, UMonotoneTraits};
 use dcel::{CcbId, DcelViolation, EdgeId, FaceId, HalfedgeId, VertexId};
@@ -134,7 +134,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     }
 
     fn check_records(&self, found: &mut Vec<Violation>) {
-        let special = Builder::<G::Point>::special_count(self.topology.sides());
+        let special = special_count(&self.topology);
         for v in self.dcel.vertices() {
             match (v.index() < special, self.is_at_infinity(v)) {
                 (true, false) => found.push(Violation::PointOnSide(v)),

@@ -1,37 +1,58 @@
 //! The curves of files as those of a model, and their arrangement.
 
+use crate::console::Console;
 use crate::curves::{CurveOperand, Ground};
 use crate::failure::Failure;
 use splitstar::arrangement::models::polycurve::PolycurveTraits;
 use splitstar::arrangement::models::{Linear, LinearTraits, TorusPath, TorusSegmentTraits};
-use splitstar::arrangement::topology::{FlatTorus, UnboundedPlane};
+use splitstar::arrangement::sweep::Progress;
+use splitstar::arrangement::topology::{FlatTorus, Topology, UnboundedPlane};
 use splitstar::arrangement::traits::{ArrangementTraits, DirectionalTraits, Piece};
 use splitstar::arrangement::{Arrangement, Pieces};
 use splitstar::exact::Sign;
 use splitstar::exact::planar::Point2;
 use splitstar::formats::{InputCurve, StarArrangement};
+use std::ops::ControlFlow;
 
 /// A sweep takes fewer pieces than this.
 const PIECES: usize = 1 << 30;
 
 /// The arrangement of the curves of all files.
-pub(super) fn arrangement(operands: Vec<CurveOperand>, ground: Ground) -> Result<StarArrangement, Failure> {
+pub(super) fn arrangement(
+    operands: Vec<CurveOperand>,
+    ground: Ground,
+    console: &Console,
+) -> Result<StarArrangement, Failure> {
     match ground {
         Ground::Torus(period) => {
             let traits = TorusSegmentTraits::new(period).expect("the periods of a torus are positive");
             let pieces = collect(operands, |curve, pieces| on_torus(curve, &traits, pieces))?;
-            Ok(StarArrangement::Torus(Arrangement::of_pieces(traits, FlatTorus, pieces)))
+            Ok(StarArrangement::Torus(swept(traits, FlatTorus, pieces, console)))
         }
         Ground::Plane if operands.iter().any(has_polyline) => {
             let traits = PolycurveTraits::new(LinearTraits);
             let pieces = collect(operands, |curve, pieces| as_polycurve(curve, &traits, pieces))?;
-            Ok(StarArrangement::Polycurves(Arrangement::of_pieces(traits, UnboundedPlane, pieces)))
+            Ok(StarArrangement::Polycurves(swept(traits, UnboundedPlane, pieces, console)))
         }
         Ground::Plane => {
             let pieces = collect(operands, as_linear)?;
-            Ok(StarArrangement::Linear(Arrangement::of_pieces(LinearTraits, UnboundedPlane, pieces)))
+            Ok(StarArrangement::Linear(swept(LinearTraits, UnboundedPlane, pieces, console)))
         }
     }
+}
+
+/// The arrangement of pieces; the console is told how far it has come.
+fn swept<G: ArrangementTraits, T: Topology<G>>(
+    traits: G,
+    topology: T,
+    pieces: Pieces<G>,
+    console: &Console,
+) -> Arrangement<G, T> {
+    let tell = |progress: Progress| {
+        console.step_at("arrange", progress.sites_met, progress.sites);
+        ControlFlow::Continue(())
+    };
+    Arrangement::of_pieces_with(traits, topology, pieces, tell).expect("nobody stops the sweep")
 }
 
 fn has_polyline(operand: &CurveOperand) -> bool {
@@ -60,24 +81,24 @@ fn collect<G: ArrangementTraits>(
 
 const DIFFERENT: &str = "the points of a curve that was read are different";
 
-fn linear(curve: InputCurve) -> Result<Linear, InputCurve> {
+/// The segment, ray or line; `None` if it is none of them.
+fn linear(curve: InputCurve) -> Option<Linear> {
     match curve {
-        InputCurve::Segment([source, target]) => Ok(Linear::segment(source, target).expect(DIFFERENT)),
-        InputCurve::Ray([source, through]) => Ok(Linear::ray(source, &through).expect(DIFFERENT)),
-        InputCurve::Line([p, q]) => Ok(Linear::line(&p, &q).expect(DIFFERENT)),
-        other => Err(other),
+        InputCurve::Segment([source, target]) => Some(Linear::segment(source, target).expect(DIFFERENT)),
+        InputCurve::Ray([source, through]) => Some(Linear::ray(source, &through).expect(DIFFERENT)),
+        InputCurve::Line([p, q]) => Some(Linear::line(&p, &q).expect(DIFFERENT)),
+        _ => None,
     }
 }
 
 fn as_linear(curve: InputCurve, pieces: &mut Pieces<LinearTraits>) -> Result<(), String> {
-    match linear(curve) {
-        Ok(curve) => {
-            pieces.curves.push(curve);
-            pieces.is_artificial.push([false; 2]);
-        }
-        Err(InputCurve::Point(point)) => pieces.points.push(point),
-        Err(_) => return Err("it is not a segment, a ray, a line or a point".into()),
+    if let InputCurve::Point(point) = curve {
+        pieces.points.push(point);
+        return Ok(());
     }
+    let curve = linear(curve).ok_or("it is not a segment, a ray, a line or a point")?;
+    pieces.curves.push(curve);
+    pieces.is_artificial.push([false; 2]);
     Ok(())
 }
 
@@ -86,14 +107,15 @@ fn as_polycurve(
     traits: &PolycurveTraits<LinearTraits>,
     pieces: &mut Pieces<PolycurveTraits<LinearTraits>>,
 ) -> Result<(), String> {
-    let polycurve = match linear(curve) {
-        Ok(curve) => traits.make_polycurve([curve]),
-        Err(InputCurve::Polyline(vertices)) => traits.make_polyline(vertices),
-        Err(InputCurve::Point(point)) => {
+    let polycurve = match curve {
+        InputCurve::Point(point) => {
             pieces.points.push(point);
             return Ok(());
         }
-        Err(_) => return Err("it is not a segment, a ray, a line, a polyline or a point".into()),
+        InputCurve::Polyline(vertices) => traits.make_polyline(vertices),
+        other => traits.make_polycurve([
+            linear(other).ok_or("it is not a segment, a ray, a line, a polyline or a point")?
+        ]),
     };
     let polycurve = polycurve.map_err(|error| error.to_string())?;
     polycurve.parts().iter().cloned().for_each(|piece| push(piece, pieces));
