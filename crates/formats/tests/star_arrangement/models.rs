@@ -7,7 +7,7 @@ use arrangement::topology::{FlatTorus, UnboundedPlane};
 use arrangement::{Arrangement, Pieces};
 use exact::Rational;
 use exact::planar::Point2;
-use splitstar_formats::StarArrangement;
+use splitstar_formats::{StarArrangement, read_arrangement, write_arrangement};
 
 /// A curve of a test: coordinates in quarters.
 #[derive(Clone, Debug)]
@@ -138,4 +138,20 @@ fn chains_on_a_torus_come_back() {
         paths += text.lines().filter(|line| line.starts_with("curve") && line.split(' ').count() > 7).count();
     }
     assert!(paths > 5, "{paths}");
+}
+
+/// Points that are read are ends of curves, or crossings of two, where they can be.
+#[test]
+fn crossings_are_crossings_again() {
+    let rows = [Row::Segment([0, 0, 12, 4]), Row::Segment([0, 4, 12, 1]), Row::Line([4, 0, 5, 7])];
+    let StarArrangement::Linear(made) = linear_arrangement(&rows) else { panic!("straight curves") };
+    let text = write_arrangement(&made);
+    let StarArrangement::Linear(again) = read_arrangement(&text, None).unwrap() else {
+        panic!("straight curves")
+    };
+    let explicit = [&made, &again].map(|arrangement| {
+        let points = arrangement.vertices().filter_map(|v| arrangement.point(v));
+        points.filter(|point| point.is_explicit()).count()
+    });
+    assert_eq!((made.counts().vertices, explicit), (7, [4, 4]));
 }
