@@ -7,7 +7,7 @@ use splitstar_arrangement::topology::BoundedPlane;
 use splitstar_arrangement::wrappers::CountingTraits;
 
 fn segment(ends: [[i64; 2]; 2]) -> Segment {
-    Segment::from_i64(ends).unwrap()
+    Segment::from_i64(ends).expect("the ends are different")
 }
 
 /// The calls of all methods, and the numbers of vertices and edges.
