@@ -1,6 +1,7 @@
 //! What every fuzz target checks of a reader.
 
 use splitstar_formats::{Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
+use splitstar_formats::{read_arrangement, write_arrangement};
 
 /// Reads bytes as a file of that name. A message must be one short line; a model must come back from the native
 /// format as it was, and every other format must take it or say why not.
@@ -75,4 +76,28 @@ fn is_long(curve: &InputCurve) -> bool {
         _ => &[],
     };
     points.iter().flat_map(|point| point.coordinates()).any(|number| number.to_string().len() > 1_000)
+}
+
+/// Reads bytes as an arrangement. A message must be one short line; an arrangement must come back with the text that it is given.
+pub fn check_arrangement(bytes: &[u8]) {
+    let arrangement = match read_arrangement(bytes, None) {
+        Ok(arrangement) => arrangement,
+        Err(error) => {
+            let message = error.to_string();
+            assert!(message.len() < 600 && !message.contains(char::is_control), "{message:?}");
+            return;
+        }
+    };
+    let text = write_arrangement(&arrangement);
+    match read_arrangement(&text, None) {
+        Ok(again) => {
+            assert_eq!(again.counts_with_splits(), arrangement.counts_with_splits());
+            assert_eq!(String::from_utf8_lossy(&write_arrangement(&again)), String::from_utf8_lossy(&text));
+        }
+        // A number may have more digits, written out, than may be read.
+        Err(error) => {
+            let is_long = text.split(|byte| b" /\n".contains(byte)).any(|word| word.len() > 1_000);
+            assert!(is_long, "what was written cannot be read: {error}");
+        }
+    }
 }

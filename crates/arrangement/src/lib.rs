@@ -13,6 +13,7 @@
 //! | [`sweep`] | the algorithm: events from left to right, told to a visitor that may stop it |
 //! | [`overlay`] | all cells of several arrangements cut by one another, with provenance |
 //! | [`Arrangement`] | the cells: [`Arrangement::of_curves`], [`Arrangement::insert_curves`], [`Arrangement::counts`] |
+//! | [`Pieces`] | u-monotone curves and points, for [`Arrangement::of_pieces`]; with curves that are to be cut, [`Arrangement::of_curves_and_points`], [`Arrangement::insert_points`] |
 //! | [`Arrangement::user_view`], [`Arrangement::check_valid`], [`Arrangement::is_isomorphic`] | cells without artificial vertices; violations; comparison |
 //! | [`locate_all`], [`intersections`], [`subcurves`], [`do_any_meet`] | questions that one sweep answers |
 //!

@@ -2,7 +2,7 @@
 
 mod names;
 
-pub(crate) use names::CellFormat;
+pub(crate) use names::{CellEncoding, CellFormat};
 
 use crate::failure::Failure;
 use lexopt::Arg;
@@ -44,7 +44,7 @@ pub(crate) struct Run {
     /// The periods of a torus, both positive.
     pub(crate) period: Option<[Rational; 2]>,
     /// What an arrangement is written as, asked for by name.
-    pub(crate) cells: Option<CellFormat>,
+    pub(crate) cells: Option<CellEncoding>,
 }
 
 /// A file, or a standard stream.
@@ -228,8 +228,11 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
         }
         "format" if verb == Verb::Arrange => {
             let word = value()?;
-            run.cells = Some(word.to_str().and_then(CellFormat::from_name).ok_or_else(|| {
-                usage(verb, format!("unknown format `{}`: star or svg", word.to_string_lossy()))
+            run.cells = Some(word.to_str().and_then(CellEncoding::from_name).ok_or_else(|| {
+                usage(
+                    verb,
+                    format!("unknown format `{}`: star or svg, each also with .gz", word.to_string_lossy()),
+                )
             })?);
         }
         "format" => {
@@ -365,9 +368,9 @@ impl Run {
     }
 
     /// What to write an arrangement as.
-    pub(crate) fn cell_format(&self) -> CellFormat {
+    pub(crate) fn cell_encoding(&self) -> CellEncoding {
         let by_name = || cells_of_name(self.output.as_ref()?).ok();
-        self.cells.or_else(by_name).unwrap_or(CellFormat::Star)
+        self.cells.or_else(by_name).unwrap_or(CellEncoding::DEFAULT)
     }
 }
 

@@ -5,13 +5,17 @@ use crate::console::Console;
 use crate::failure::Failure;
 use crate::input;
 use splitstar::exact::Rational;
-use splitstar::formats::{self, CurveFile, InputCurve};
+use splitstar::formats::{self, CurveFile, CurvePoint, InputCurve};
+use std::collections::BTreeSet;
 
 /// A file of curves, with the name that messages give it.
 pub(crate) struct CurveOperand {
     pub(crate) name: String,
     pub(crate) file: CurveFile,
 }
+
+/// How often the curves of all files together go around a torus at most: a short line may ask for any number of pieces.
+const TURNS: i64 = 1 << 17;
 
 /// What curves lie on.
 pub(crate) enum Ground {
@@ -21,15 +25,12 @@ pub(crate) enum Ground {
 }
 
 impl CurveOperand {
-    /// Reads and parses a file or standard input, and tells what the reader had to leave out.
+    /// Reads and parses a file or standard input.
     pub(crate) fn read(place: &Place, console: &Console) -> Result<Self, Failure> {
         let bytes = input::bytes(place, console, check_start)?;
         let name = place.shown();
         let file = formats::read_curves(&bytes, place.file_name().as_deref())
             .map_err(|error| Failure::read(&name, &error))?;
-        for note in &file.notes {
-            console.note(&name, None, &note.to_string());
-        }
         console.step_done();
         Ok(Self { name, file })
     }
@@ -37,6 +38,16 @@ impl CurveOperand {
     /// The failure of this file at one of its curves.
     pub(crate) fn failure(&self, curve: usize, sentence: impl Into<String>) -> Failure {
         Failure::file(&self.name, self.file.places.get(curve), sentence)
+    }
+}
+
+/// Tells what the reader had to leave out, once for a file that is given several times.
+pub(crate) fn tell_notes(operands: &[CurveOperand], console: &Console) {
+    let mut told = BTreeSet::new();
+    for CurveOperand { name, file } in operands {
+        if told.insert(name) {
+            file.notes.iter().for_each(|note| console.note(name, None, &note.to_string()));
+        }
     }
 }
 
@@ -87,6 +98,7 @@ pub(crate) fn ground(operands: &[CurveOperand], run: &Run) -> Result<Ground, Fai
     match known {
         Some((period, _)) => {
             check_torus(operands)?;
+            check_turns(operands, period)?;
             Ok(Ground::Torus(period.clone()))
         }
         None if run.surface == Some(Surface::Torus) => {
@@ -112,4 +124,37 @@ fn check_torus(operands: &[CurveOperand]) -> Result<(), Failure> {
         }
     }
     Ok(())
+}
+
+/// A curve that goes around a torus is cut there, into so many pieces. What all of them may be together is limited.
+fn check_turns(operands: &[CurveOperand], period: &[Rational; 2]) -> Result<(), Failure> {
+    let mut left = TURNS;
+    for operand in operands {
+        for (place, curve) in operand.file.curves.iter().enumerate() {
+            let ends: &[CurvePoint] = match curve {
+                InputCurve::Segment(ends) => ends,
+                InputCurve::Polyline(points) => points,
+                _ => continue,
+            };
+            for ends in ends.windows(2) {
+                left =
+                    turns(&ends[0], &ends[1], period).and_then(|turns| left.checked_sub(turns)).unwrap_or(-1);
+                if left < 0 {
+                    let sentence = format!(
+                        "up to here the curves go around the torus more than {TURNS} times, and are cut there; \
+                         give larger periods, or fewer or shorter curves"
+                    );
+                    return Err(operand.failure(place, sentence));
+                }
+            }
+        }
+    }
+    Ok(())
+}
+
+/// How many whole periods there are between two points, in both directions together, if that is a small number.
+fn turns(p: &CurvePoint, q: &CurvePoint, period: &[Rational; 2]) -> Option<i64> {
+    let (p, q) = (p.coordinates(), q.coordinates());
+    let along = |axis: usize| (&q[axis] - &p[axis]).abs().checked_div(&period[axis])?.floor().to_i64();
+    along(0)?.checked_add(along(1)?)
 }

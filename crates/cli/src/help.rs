@@ -37,6 +37,7 @@ options of all verbs:
 
 Read: OFF, OBJ, STL, PLY, 3MF, VRML 2 and star, each perhaps packed with gzip; the content tells
 which. Written: these and glTF (.glb); the ending of the output's name tells which, or --format.
+`arrange` reads files of curves (text, WKT, GeoJSON) instead, and writes star and pictures (SVG).
 A decimal counts exactly as written, a binary float as the fraction it is; what a format must round
 is told. A file without facets is a point set and stands for its hull; a file whose only facet is a
 polygon, or has two vertices, is one of dimension 2 or 1.
@@ -161,8 +162,8 @@ usage: splitstar arrange CURVES [CURVES ...] [-o OUT.star|OUT.svg] [OPTIONS]
                     polyline x y x y ..., point x y, a geometry of WKT or an object of GeoJSON
   -o, --output OUT  where to write the cells; `-` is standard output. Without it only their
                     numbers are printed
-  --format FORMAT   star: all cells, exact; svg: a picture; without it the ending of OUT decides
-                    (star where it has none)
+  --format FORMAT   star: all cells, exact; svg: a picture; each also with .gz behind it (svg.gz);
+                    without it the ending of OUT decides (star where it has none)
   --surface SURFACE plane (default), or torus, which needs its periods
   --period P,Q      the periods of a torus, for files without the record `period P Q`
   --json            one JSON object on standard output: numbers of cells, times

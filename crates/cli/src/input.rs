@@ -23,8 +23,13 @@ impl Operand {
     pub(crate) fn read(place: &Place, console: &Console) -> Result<Self, Failure> {
         let bytes = bytes(place, console, formats::check_start)?;
         let name = place.shown();
-        let read = formats::read(&bytes, place.file_name().as_deref())
-            .map_err(|error| Failure::read(&name, &error))?;
+        let read = formats::read(&bytes, place.file_name().as_deref()).map_err(|error| {
+            if is_of_curves(&bytes) {
+                let sentence = format!("a file of curves, not a model; `splitstar arrange {name}` reads it");
+                return Failure::file(&name, None, sentence);
+            }
+            Failure::read(&name, &error)
+        })?;
         console.step_done();
         let name = part_name(&name, read.places.part.as_deref());
         Ok(Self { name, read })
@@ -59,6 +64,11 @@ impl Operand {
             Shape::Complex(complex) => Err(self.failure(None, no_mesh(complex, &self.name))),
         }
     }
+}
+
+/// Whether a file that is none of a model is one of curves, without a mistake.
+fn is_of_curves(bytes: &[u8]) -> bool {
+    formats::read_curves(bytes, None).is_ok_and(|file| !file.curves.is_empty() || file.period.is_some())
 }
 
 fn no_mesh(complex: &Complex, name: &str) -> String {

@@ -244,12 +244,13 @@ pub struct Scene {
     title: String,
     layers: Vec<Layer>,
     legend: Vec<LegendEntry>,
+    is_collapsed: bool,
 }
 
 impl Scene {
     /// An empty scene that shows `frame`. What lies outside is cut off when the scene is written.
     pub fn new(frame: Frame) -> Self {
-        Self { frame, title: String::new(), layers: Vec::new(), legend: Vec::new() }
+        Self { frame, title: String::new(), layers: Vec::new(), legend: Vec::new(), is_collapsed: false }
     }
 
     /// A scene with a frame around all of its layers, with a margin. Without items it shows the unit square.
@@ -268,6 +269,16 @@ impl Scene {
     /// What is shown.
     pub fn frame(&self) -> &Frame {
         &self.frame
+    }
+
+    /// Whether coordinates differ too little for a picture: the scene was made of an arrangement whose extent is below 1e-9 of
+    /// its largest coordinate. What is different may then be drawn in one place.
+    pub fn is_collapsed(&self) -> bool {
+        self.is_collapsed
+    }
+
+    pub(crate) fn set_collapsed(&mut self, is_collapsed: bool) {
+        self.is_collapsed = is_collapsed;
     }
 
     /// The title of the picture, for those who cannot see it and for tooltips; may be empty.

@@ -10,8 +10,18 @@
 //! | [`dcel`] | halfedge connectivity: what is next to what |
 //! | [`arrangement`] | arrangements of curves in the plane and on a torus: traits, sweep, overlay |
 //! | [`polytope`] | polytopes and meshes, convex hulls, Minkowski sums |
-//! | [`formats`] | files of models (OFF, OBJ, STL, PLY, 3MF, VRML, glTF, star) and of curves, read and written |
+//! | [`formats`] | files of models (OFF, OBJ, STL, PLY, 3MF, VRML, glTF, star), of curves (text, WKT, GeoJSON) and of arrangements (star), read and written |
 //! | [`render`] | pictures, as SVG |
+//!
+//! Each crate is also one of its own, and the examples in its documentation, and those of `docs/write-your-own-curve.md`, name it so:
+//! `splitstar_arrangement::`, `exact::` and so on. In a program that depends on this crate alone,
+//!
+//! ```toml
+//! [dependencies]
+//! splitstar = { path = "splitstar/crates/splitstar" }
+//! ```
+//!
+//! these are `splitstar::arrangement::`, `splitstar::exact::`, `splitstar::dcel::`, `splitstar::polytope::`, `splitstar::formats::` and `splitstar::render::`.
 //!
 //! # A convex hull
 //!
@@ -115,12 +125,13 @@ pub use {arrangement, dcel, exact, formats, polytope, render};
 /// assert!(triple.same_set(&segment.transformed(&Affine3::scaling(&Rational::from(3)))));
 /// ```
 pub mod prelude {
-    pub use arrangement::Arrangement;
     pub use arrangement::models::polycurve::PolycurveTraits;
     pub use arrangement::models::{
         Linear, LinearTraits, Segment, SegmentTraits, TorusPath, TorusSegmentTraits,
     };
+    pub use arrangement::overlay::{Cell, overlay_all};
     pub use arrangement::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
+    pub use arrangement::{Arrangement, Pieces, locate_all};
     pub use exact::planar::{Line2, Point2};
     pub use exact::{Affine3, Integer, Plane, Point3, Quaternion, Rational, Sign, Vector3};
     pub use formats::{self, Format, InputCurve, Model, Object, ReadError, Shape, Unit, WriteOptions};

@@ -70,6 +70,10 @@ impl Provenance {
 ///
 /// Degenerate: edges that overlap become one edge, which comes from all of them; vertices that coincide become one.
 ///
+/// # Preconditions
+/// The traits of the operands are alike: a curve or a point of one means the same to all. Those of tori have the same periods.
+/// Otherwise the result is not valid.
+///
 /// # Panics
 /// If there is no operand.
 ///
@@ -84,11 +88,14 @@ pub fn overlay_all<G: UMonotoneTraits + Clone, T: Topology<G>>(
 ) -> (Arrangement<G, T>, Provenance) {
     let (first, _) = operands.split_first().expect("an overlay has operands");
     let (traits, topology) = (first.traits(), first.topology());
-    let (parts, provenance) = overlay_with_pieces(traits, topology, operands, Pieces::default());
+    let (parts, provenance) = overlay_with_pieces(traits, topology, operands, Pieces::new());
     (Arrangement::of_valid_parts(traits.clone(), topology.clone(), parts), provenance)
 }
 
 /// Overlays two arrangements, and calls one of ten functions for each cell of the result.
+///
+/// # Preconditions
+/// Those of [`overlay_all`]: the traits of the operands are alike.
 ///
 /// # References
 /// Thesis, section 2.4.2, where the ten cases are numbered.

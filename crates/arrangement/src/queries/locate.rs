@@ -10,8 +10,26 @@ use std::ops::ControlFlow;
 
 /// Tells for each of many points in which cell of an arrangement it lies, in the order of the points.
 ///
+/// # Preconditions
+/// Where sides of the parameter space are identified, points have the coordinates by which the traits know them: on a torus, those
+/// that [`TorusSegmentTraits::point`](crate::models::TorusSegmentTraits::point) gives. The answer for another point is wrong.
+///
+/// ```
+/// use exact::planar::Point2;
+/// use splitstar_arrangement::overlay::Cell;
+/// use splitstar_arrangement::{Arrangement, locate_all, models::TorusSegmentTraits, topology::FlatTorus};
+///
+/// let traits = TorusSegmentTraits::new([4.into(), 4.into()])?;
+/// let path = traits.closed_path(&Point2::from_i64([1, 1]), [1, 0])?;
+/// let arrangement = Arrangement::of_curves(traits.clone(), FlatTorus, [&path]);
+/// // (6, 5) is (2, 1), which lies on the path.
+/// let point = traits.point(&Point2::from_i64([6, 5]));
+/// assert!(matches!(locate_all(&arrangement, &[point])[..], [Cell::Edge(_)]));
+/// # Ok::<(), splitstar_arrangement::models::TorusError>(())
+/// ```
+///
 /// # Complexity
-/// O((n + m) log (n + m)) predicates for n cells and m points. For few points, a walk or a search structure is quicker.
+/// O((n + m) log (n + m)) predicates for n cells and m points.
 ///
 /// # References
 /// Thesis, section 2.4.1.

@@ -27,6 +27,9 @@ pub enum CommonEnds {
 /// Degenerate: two equal lines have no such point, and of two equal segments only the ends are given, if they count at all. On a
 /// surface with identified sides a point is where all its places are.
 ///
+/// # Preconditions
+/// Those of [`locate_all`](super::locate_all) on points.
+///
 /// ```
 /// use splitstar_arrangement::models::{Segment, SegmentTraits};
 /// use splitstar_arrangement::{CommonEnds, intersections, topology::BoundedPlane};
@@ -237,5 +240,24 @@ where
             SiteAt::Point(point) => (self.tell)(Some(point), &self.place),
             SiteAt::End(..) => (self.tell)(None, &self.place),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::models::{Segment, SegmentTraits};
+    use crate::topology::BoundedPlane;
+    use exact::planar::Point2;
+
+    #[test]
+    fn a_curve_that_leaves_an_overlap_goes_through_its_end() {
+        // At (6, 0) the first and the third end, and the second goes on.
+        let ends = [[[0, 0], [6, 0]], [[2, 0], [8, 0]], [[4, 0], [6, 0]], [[8, 0], [9, 1]]];
+        let segments = ends.map(|ends| Segment::from_i64(ends).expect("the ends are different"));
+        let found = |ends| intersections(&SegmentTraits, &BoundedPlane, &segments, &[], ends);
+        let points = |at: &[[i64; 2]]| at.iter().map(|&at| Point2::from_i64(at)).collect::<Vec<_>>();
+        assert_eq!(found(CommonEnds::Count), points(&[[2, 0], [4, 0], [6, 0], [8, 0]]));
+        assert_eq!(found(CommonEnds::Ignore), points(&[[2, 0], [4, 0], [6, 0]]));
     }
 }

@@ -88,7 +88,12 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Pusher<'_, 'a, G, T> {
             self.sites_of[edge.index()][0] = number;
             self.numbers.edges.push(edge);
             let curve = self.arrangement.curve_of(edge);
-            self.input.push_curve(InputCurve { curve, ends: [number, u32::MAX], group: self.group });
+            self.input.push_curve(InputCurve {
+                curve,
+                ends: [number, u32::MAX],
+                group: self.group,
+                next_end: u32::MAX,
+            });
         }
         number
     }

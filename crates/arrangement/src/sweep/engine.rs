@@ -29,11 +29,13 @@ pub fn sweep<G: UMonotoneTraits, T: Topology<G>, V: SweepVisitor<G>>(
 #[derive(Debug)]
 pub(super) struct Buffers<T> {
     /// The nodes of the strands that end here, from bottom to top.
-    nodes: Vec<u32>,
-    left: Vec<Strand<T>>,
+    pub(super) nodes: Vec<u32>,
+    pub(super) left: Vec<Strand<T>>,
     pub(super) right: Vec<Strand<T>>,
-    /// Curves that go on or begin.
+    /// Curves that go on or begin; where curves overlap for good, one for all.
     pub(super) curves: Vec<u32>,
+    /// Whether several curves ran in a strand that was dissolved.
+    pub(super) is_dissolved: bool,
 }
 
 /// A site in the order in which sites are met.
@@ -42,9 +44,9 @@ pub(super) struct Stop<'i, G: UMonotoneTraits> {
     pub(super) site: Site<'i, G>,
     /// The order key of its point, if it has one and is in the interior; else 0.
     key: u64,
-    /// The curves that begin here, and one of those that end here.
+    /// The curves that begin here, and the first of a list of those that end here.
     pub(super) starts: Range<u32>,
-    any_end: u32,
+    pub(super) first_end: u32,
     /// The first of a list of curves that pass through here, in `passing`.
     passing: u32,
 }
@@ -57,6 +59,8 @@ pub(super) struct Way<'i, G: UMonotoneTraits> {
     /// The place of the site where it ends among the stops.
     pub(super) end: u32,
     group: u32,
+    /// The next one of the curves that end there.
+    pub(super) next_end: u32,
 }
 
 pub(super) struct Engine<'a, 'i, G: UMonotoneTraits, T, Tag> {
@@ -72,8 +76,11 @@ pub(super) struct Engine<'a, 'i, G: UMonotoneTraits, T, Tag> {
     pub(super) status: Status<&'i G::UMonotoneCurve, Tag>,
     pub(super) queue: Queue<G::Point>,
     passing: Vec<(u32, u32)>,
+    /// For each curve, another one with which it overlaps, and the end of that is known: it waits in the queue, or one of them ends
+    /// there. Empty if overlaps only end where curves do.
+    pub(super) noted: Vec<u32>,
     /// The number of the current event.
-    now: u32,
+    pub(super) now: u32,
 }
 
 impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a, 'i, G, T, Tag> {
@@ -96,12 +103,12 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
         let stop = |&(key, site): &(u64, u32)| {
             let site = site as usize;
             let starts = input.first_start[site]..input.first_start[site + 1];
-            Stop { site: sites[site], key, starts, any_end: input.any_end[site], passing: NIL }
+            Stop { site: sites[site], key, starts, first_end: input.first_end[site], passing: NIL }
         };
-        let way = |&InputCurve { curve, ends, group }: &InputCurve<'i, G>| {
+        let way = |&InputCurve { curve, ends, group, next_end }: &InputCurve<'i, G>| {
             let end = &sites[ends[1] as usize];
             let until = end.point().filter(|_| end.location.is_interior());
-            Way { curve, until, end: rank[ends[1] as usize], group }
+            Way { curve, until, end: rank[ends[1] as usize], group, next_end }
         };
         Self {
             traits,
@@ -110,17 +117,23 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
             stops: keyed.iter().map(stop).collect(),
             order: keyed.into_iter().map(|(_, site)| site).collect(),
             ways: input.curves.iter().map(way).collect(),
-            links: vec![Link { node: NIL, next: NIL }; input.curves.len()],
+            links: (0..input.curves.len() as u32).map(Link::alone).collect(),
             status: Status::new(),
             queue: Queue::new(),
             passing: Vec::new(),
+            noted: vec![NIL; if G::MEET_ONCE { 0 } else { input.curves.len() }],
             now: 0,
         }
     }
 
     fn run<V: SweepVisitor<G, Tag = Tag>>(&mut self, visitor: &mut V) -> ControlFlow<()> {
-        let mut buffers =
-            Buffers { nodes: Vec::new(), left: Vec::new(), right: Vec::new(), curves: Vec::new() };
+        let mut buffers = Buffers {
+            nodes: Vec::new(),
+            left: Vec::new(),
+            right: Vec::new(),
+            curves: Vec::new(),
+            is_dissolved: false,
+        };
         let traits = self.traits;
         let is_less = |p: &G::Point, q: &G::Point| traits.compare_uv(p, q) == Ordering::Less;
         let mut cursor = 0;
@@ -151,9 +164,7 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
                 hit = self.mark_stop(place, hit);
             }
             if let Some(ahead) = &met {
-                for curve in ahead.curves {
-                    hit = self.mark_curve(curve, hit);
-                }
+                hit = self.mark_met(ahead.curves, hit);
                 while self.queue.first().is_some_and(|next| {
                     next.curves == ahead.curves
                         || compare_keys(next.key, ahead.key).is_none()
@@ -163,13 +174,11 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
                     if next.curves != ahead.curves {
                         multiplicity = Multiplicity::Unknown;
                     }
-                    for curve in next.curves {
-                        hit = self.mark_curve(curve, hit);
-                    }
+                    hit = self.mark_met(next.curves, hit);
                 }
             }
             let below_point = if hit == NIL { self.locate(&site) } else { Err(hit) };
-            let (below, above) = self.collect_left(below_point, cursor as u32, &mut buffers);
+            let (below, above) = self.collect_left(below_point, from..cursor, &mut buffers);
             self.make_right(&site, from..cursor, multiplicity, &mut buffers);
             let tag = |node: u32| (node != NIL).then(|| self.status.strand(node).tag);
             let event = Event { site, input_sites: &self.order[from..cursor], is_meeting: met.is_some() };
@@ -211,9 +220,10 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
 
     /// Marks the strands that are known to go through a stop, and gives one of them.
     fn mark_stop(&mut self, place: usize, mut hit: u32) -> u32 {
-        let Stop { any_end, mut passing, .. } = self.stops[place];
-        if any_end != NIL {
-            hit = self.mark_curve(any_end, hit);
+        let Stop { first_end: mut ended, mut passing, .. } = self.stops[place];
+        while ended != NIL {
+            hit = self.mark_curve(ended, hit);
+            ended = self.ways[ended as usize].next_end;
         }
         while passing != NIL {
             let (curve, next) = self.passing[passing as usize];
@@ -225,12 +235,40 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
 
     #[inline]
     fn mark_curve(&mut self, curve: u32, hit: u32) -> u32 {
-        let node = self.links[curve as usize].node;
+        let leader = self.leader(curve);
+        let node = self.links[leader as usize].node;
         if node == NIL {
             return hit;
         }
         self.status.set_mark(node, self.now);
         node
+    }
+
+    /// Two curves met: what was known of their overlap may be over.
+    #[inline]
+    fn mark_met(&mut self, curves: [u32; 2], mut hit: u32) -> u32 {
+        for curve in curves {
+            if !G::MEET_ONCE {
+                self.noted[curve as usize] = NIL;
+            }
+            hit = self.mark_curve(curve, hit);
+        }
+        hit
+    }
+
+    /// The first curve of the strand of a curve.
+    #[inline]
+    fn leader(&mut self, mut curve: u32) -> u32 {
+        loop {
+            let leader = self.links[curve as usize].leader;
+            if leader == curve {
+                return curve;
+            }
+            // Curves that led and have ended are skipped from now on.
+            let next = self.links[leader as usize].leader;
+            self.links[curve as usize].leader = next;
+            curve = next;
+        }
     }
 
     /// Looks for a site through which no strand is known to go: the node below it, or the one that goes through it.
@@ -273,64 +311,6 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
         }
     }
 
-    /// Collects the strands through the event, given the node below it or one through it, and the curves of these strands that do
-    /// not end here. Gives the nodes next below and next above.
-    fn collect_left(
-        &mut self,
-        place: Result<u32, u32>,
-        end_rank: u32,
-        buffers: &mut Buffers<Tag>,
-    ) -> (u32, u32) {
-        let Buffers { nodes, left, curves, .. } = buffers;
-        nodes.clear();
-        left.clear();
-        curves.clear();
-        let hit = match place {
-            Ok(below) => {
-                let above = if below == NIL { self.status.first() } else { self.status.next(below) };
-                return (below, above);
-            }
-            Err(hit) => hit,
-        };
-        self.status.set_mark(hit, self.now);
-        let mut first = hit;
-        let mut below = self.status.prev(first);
-        while below != NIL && self.goes_through(below, end_rank) {
-            first = below;
-            below = self.status.prev(first);
-        }
-        let mut node = first;
-        while node != NIL && (node == hit || self.goes_through(node, end_rank)) {
-            let StrandData { head, tag, .. } = *self.status.strand(node);
-            nodes.push(node);
-            left.push(Strand { head, tag });
-            let mut curve = head;
-            while curve != NIL {
-                if self.ways[curve as usize].end >= end_rank {
-                    curves.push(curve);
-                }
-                curve = self.links[curve as usize].next;
-            }
-            node = self.status.next(node);
-        }
-        (below, node)
-    }
-
-    /// Tells whether a strand is known to go through the event: it was marked, or one of its curves ends here.
-    fn goes_through(&self, node: u32, end_rank: u32) -> bool {
-        if self.status.mark(node) == self.now {
-            return true;
-        }
-        let mut curve = self.status.strand(node).head;
-        while curve != NIL {
-            if self.ways[curve as usize].end < end_rank {
-                return true;
-            }
-            curve = self.links[curve as usize].next;
-        }
-        false
-    }
-
     /// Replaces the strands on the left by those on the right, and asks new neighbours where they meet.
     fn update_status(&mut self, site: &Site<'_, G>, below: u32, above: u32, buffers: &mut Buffers<Tag>) {
         let Buffers { nodes, right, .. } = buffers;
@@ -346,11 +326,7 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
                 }
                 None => self.status.insert_above(last, data),
             };
-            let mut curve = strand.head;
-            while curve != NIL {
-                self.links[curve as usize].node = node;
-                curve = self.links[curve as usize].next;
-            }
+            self.links[strand.head as usize].node = node;
             if !G::MEET_ONCE && last != below {
                 self.ask(last, node, site);
             }

@@ -14,6 +14,8 @@ pub(crate) struct InputCurve<'a, G: BasicTraits> {
     /// The sites of its ends.
     pub(crate) ends: [u32; 2],
     pub(crate) group: u32,
+    /// The next one of the curves that end at the same site.
+    pub(crate) next_end: u32,
 }
 
 /// Sites and curves between them. Curves of one *group* are known to have disjoint interiors.
@@ -24,8 +26,8 @@ pub struct SweepInput<'a, G: BasicTraits> {
     /// For each site, the first of the curves that begin there; one more at the end. They are consecutive, from bottom to top, and
     /// do not overlap.
     pub(super) first_start: Vec<u32>,
-    /// For each site, one of the curves that end there.
-    pub(super) any_end: Vec<u32>,
+    /// For each site, the first of the curves that end there; they are a list.
+    pub(super) first_end: Vec<u32>,
     /// The sites of which the last ones are images on other sides.
     mirrored_from: Vec<u32>,
 }
@@ -61,7 +63,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
         let first_curve = self.curves.len();
         for curve in curves {
             let min = self.push_site(Site::of_end(topology, traits, curve, CurveEnd::Min));
-            self.push_curve(InputCurve { curve, ends: [min, NIL], group: NO_GROUP });
+            self.push_curve(InputCurve { curve, ends: [min, NIL], group: NO_GROUP, next_end: NIL });
         }
         for i in first_curve..self.curves.len() {
             let max = self.push_site(Site::of_end(topology, traits, self.curves[i].curve, CurveEnd::Max));
@@ -78,7 +80,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
             sites: Vec::new(),
             curves: Vec::new(),
             first_start: vec![0],
-            any_end: Vec::new(),
+            first_end: Vec::new(),
             mirrored_from: Vec::new(),
         }
     }
@@ -161,7 +163,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
         assert!(number < NIL, "a sweep is over fewer than 2^32 sites");
         self.sites.push(site);
         self.first_start.push(number_of_starts(&self.first_start));
-        self.any_end.push(NIL);
+        self.first_end.push(NIL);
         number
     }
 
@@ -174,8 +176,10 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
 
     /// Says where a curve ends.
     pub(crate) fn end_curve(&mut self, curve: u32, site: u32) {
-        self.curves[curve as usize].ends[1] = site;
-        self.any_end[site as usize] = curve;
+        let first = std::mem::replace(&mut self.first_end[site as usize], curve);
+        let ended = &mut self.curves[curve as usize];
+        ended.ends[1] = site;
+        ended.next_end = first;
     }
 }
 

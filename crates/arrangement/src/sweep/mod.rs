@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | input | `input` | sites and curves between them |
 //! | structures | `status`, `queue` | what meets the sweep line; meetings that lie ahead |
-//! | algorithm | `engine`, `right` | events in order; what begins at an event, and in which order |
+//! | algorithm | `engine`, `left`, `right` | events in order; what ends at an event, and what begins there in which order |
 //! | output | `visitor`, `watched` | events, with the subcurves around them; how far it has come |
 //!
 //! # The algorithm
@@ -31,6 +31,7 @@
 mod cells;
 mod engine;
 mod input;
+mod left;
 mod queue;
 mod right;
 mod status;

@@ -2,7 +2,7 @@
 
 use super::engine::{Buffers, Engine};
 use super::status::NIL;
-use super::visitor::Strand;
+use super::visitor::{Link, Strand};
 use crate::topology::{Site, Topology};
 use crate::traits::{CurveEnd, Intersection, Multiplicity, UMonotoneTraits};
 use std::cmp::Ordering;
@@ -18,27 +18,24 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
         multiplicity: Multiplicity,
         buffers: &mut Buffers<Tag>,
     ) {
-        let Buffers { right, curves, .. } = buffers;
+        let Buffers { right, curves, is_dissolved, .. } = buffers;
         right.clear();
         let going_on = curves.len();
         for place in places.clone() {
             curves.extend(self.stops[place].starts.clone());
         }
         let begins = curves.len() > going_on;
-        let is_single = curves.iter().take(going_on).all(|&curve| self.links[curve as usize].next == NIL);
-        if !begins && is_single && (G::MEET_ONCE || going_on == 2 && multiplicity == Multiplicity::Odd) {
+        let is_pair = !begins && going_on == 2 && !*is_dissolved;
+        if !begins && G::MEET_ONCE || is_pair && multiplicity == Multiplicity::Odd {
             // Straight curves through one point all change sides.
             curves.reverse();
-        } else if !begins && is_single && going_on == 2 && multiplicity == Multiplicity::Even {
+        } else if is_pair && multiplicity == Multiplicity::Even {
             // They keep their order.
         } else if curves.len() > 1 && !(going_on == 0 && places.len() == 1) {
             self.sort(site, curves);
             return self.bundle(site, right, curves);
         }
-        for &curve in curves.iter() {
-            self.links[curve as usize].next = NIL;
-            right.push(Strand { head: curve, tag: Tag::default() });
-        }
+        right.extend(curves.iter().map(|&head| Strand { head, tag: Tag::default() }));
     }
 
     /// Sorts curves through a point by their order to the right of it.
@@ -60,17 +57,29 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
                 .iter()
                 .take_while(|&&curve| site.point().is_none_or(|p| self.compare_right(head, curve, p).is_eq()))
                 .count();
-            let mut last = head;
             for &curve in &others[..overlapping] {
-                self.links[last as usize].next = curve;
-                last = curve;
-                if !G::MEET_ONCE {
+                self.join(head, curve);
+                if !G::MEET_ONCE && self.noted[curve as usize] != head {
+                    self.noted[curve as usize] = head;
                     self.note_end_of_overlap(head, curve, site);
                 }
             }
-            self.links[last as usize].next = NIL;
             right.push(Strand { head, tag: Tag::default() });
             rest = &others[overlapping..];
+        }
+    }
+
+    /// Puts the strand of a curve into that of another.
+    fn join(&mut self, head: u32, mut curve: u32) {
+        while curve != NIL {
+            let next = self.links[curve as usize].next;
+            let second = self.links[head as usize].next;
+            self.links[curve as usize] = Link { leader: head, node: NIL, prev: head, next: second };
+            if second != NIL {
+                self.links[second as usize].prev = curve;
+            }
+            self.links[head as usize].next = curve;
+            curve = next;
         }
     }
 
@@ -79,8 +88,10 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
         let mut common = Vec::new();
         self.traits.intersect(self.ways[a as usize].curve, self.ways[b as usize].curve, &mut common);
         let is_ahead = |point: &G::Point| {
-            let meeting = Site::interior(point);
-            self.topology.compare_sites(self.traits, &meeting, site) == Ordering::Greater
+            // On a side curves end, and that is a site already.
+            let meeting = Site::of_point(self.topology, self.traits, point);
+            meeting.location.is_interior()
+                && self.topology.compare_sites(self.traits, &meeting, site) == Ordering::Greater
                 && [a, b].into_iter().all(|curve| {
                     let end = &self.stops[self.ways[curve as usize].end as usize].site;
                     self.topology.compare_sites(self.traits, &meeting, end) == Ordering::Less

@@ -45,11 +45,23 @@ impl<T> Strand<T> {
     }
 }
 
-/// Where a curve is on the status line, and the next curve of the same strand.
+/// Where a curve is on the status line: the curves of a strand are a list.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Link {
+    /// The first curve of the list; one that has ended leads on to another.
+    pub(super) leader: u32,
+    /// For the first curve, the node of the strand.
     pub(super) node: u32,
+    pub(super) prev: u32,
     pub(super) next: u32,
+}
+
+impl Link {
+    /// A curve that is not on the status line.
+    pub(super) fn alone(curve: u32) -> Self {
+        let none = super::status::NIL;
+        Self { leader: curve, node: none, prev: none, next: none }
+    }
 }
 
 /// What is around an event.

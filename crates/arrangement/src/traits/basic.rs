@@ -28,6 +28,13 @@ pub trait BasicTraits: Send + Sync {
     /// leave it `false`.
     const MEET_ONCE: bool = false;
 
+    /// Where curves overlap, their common piece is a piece of each, and nothing is lost if an edge there is taken for a part of any
+    /// one of them.
+    ///
+    /// True of curves that are nothing but sets of points. If it is `false`, edges along which several curves run have the overlap
+    /// of all of these as their support, which costs as much as there are curves.
+    const OVERLAPS_ARE_PLAIN: bool = false;
+
     /// Compares two points by their u-coordinates.
     ///
     /// # References
@@ -99,8 +106,9 @@ pub trait BasicTraits: Send + Sync {
     /// Neither curve begins at `p`. `Less` means that `a` is below `b`; `Equal` that they have a piece to the left of `p` in
     /// common. A vertical curve is below all others.
     ///
-    /// A model may leave this out. The provided version is for curves that do not meet to the left of `p` but at their ends, as
-    /// edges of an arrangement do not, and compares at the greater of their `Min` ends.
+    /// A model may leave this out, if no two of its curves are unbounded to the left and none ends on an identified or contracted
+    /// side: only the checks of validity and the user's own algorithms ask it. The provided version is for curves that do not meet
+    /// to the left of `p` but at their ends, as edges of an arrangement do not, and compares at the greater of their `Min` ends.
     ///
     /// # References
     /// Thesis, section 2.5, "Compare y at x left", and 2.5.1.

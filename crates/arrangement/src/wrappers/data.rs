@@ -154,7 +154,8 @@ macro_rules! bare_argument {
 forward_traits!(
     [D: Clone + Debug + Send + Sync, R: DataRule<D>] CurveDataTraits<G, D, R>,
     WithData<G::UMonotoneCurve, D>,
-    bare
+    bare,
+    false
 );
 
 impl<G, D, R> UMonotoneTraits for CurveDataTraits<G, D, R>

@@ -5,14 +5,15 @@
 ///
 /// `$via` is a macro that makes a call: `via!(self, Method, method(kind argument, ...))` or, for a method that appends its answer
 /// to a buffer, `via!(self, Method, method(kind argument, ...) appends out)`. The kind is `curve` for a curve of the wrapper, `end`
-/// for a pair of such a curve and an end, and `plain` for the rest.
+/// for a pair of such a curve and an end, and `plain` for the rest. `$plain` is the value of `OVERLAPS_ARE_PLAIN`.
 macro_rules! forward_traits {
-    ([$($param:tt)*] $wrapper:ty, $curve:ty, $via:ident) => {
+    ([$($param:tt)*] $wrapper:ty, $curve:ty, $via:ident, $plain:expr) => {
         impl<G: BasicTraits, $($param)*> BasicTraits for $wrapper {
             type Point = G::Point;
             type UMonotoneCurve = $curve;
 
             const MEET_ONCE: bool = G::MEET_ONCE;
+            const OVERLAPS_ARE_PLAIN: bool = $plain;
 
             #[inline]
             fn compare_u(&self, p: &Self::Point, q: &Self::Point) -> Ordering {
@@ -157,6 +158,19 @@ macro_rules! forward_traits {
         impl<G: PieceTraits, $($param)*> PieceTraits for $wrapper {
             fn is_joint_allowed(&self, p: &Self::Point) -> bool {
                 $via!(self, IsJointAllowed, is_joint_allowed(plain p))
+            }
+
+            fn is_foldback_on_side(
+                &self,
+                a: &Self::UMonotoneCurve,
+                b: &Self::UMonotoneCurve,
+                end: CurveEnd,
+            ) -> bool {
+                $via!(self, IsFoldbackOnSide, is_foldback_on_side(curve a, curve b, plain end))
+            }
+
+            fn direction(&self, curve: &Self::UMonotoneCurve) -> Option<bool> {
+                $via!(self, Direction, direction(curve curve))
             }
         }
 

@@ -62,6 +62,8 @@ methods! {
     IsOnBottomTop is_on_bottom_top,
     CompareUOnBottomTop compare_u_on_bottom_top,
     IsJointAllowed is_joint_allowed,
+    IsFoldbackOnSide is_foldback_on_side,
+    Direction direction,
     Connect connect,
 }
 

@@ -82,7 +82,7 @@ macro_rules! told {
     };
 }
 
-forward_traits!([W: Watch] WatchedTraits<G, W>, G::UMonotoneCurve, watched);
+forward_traits!([W: Watch] WatchedTraits<G, W>, G::UMonotoneCurve, watched, G::OVERLAPS_ARE_PLAIN);
 
 impl<G: UMonotoneTraits, W: Watch> UMonotoneTraits for WatchedTraits<G, W> {
     fn intersect(

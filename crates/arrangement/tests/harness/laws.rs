@@ -25,8 +25,8 @@ struct Known<M: Model> {
 impl<M: Model> Known<M> {
     fn new(model: &M, source: &Curve) -> Option<Self> {
         let Curve::Straight(shape, [p, q]) = source else { return None };
-        let mut pieces = model.pieces(std::slice::from_ref(source))?;
-        assert_eq!(pieces.curves.len(), 1, "a straight curve is u-monotone: {source:?}");
+        let pieces = model.pieces(std::slice::from_ref(source))?;
+        assert_eq!(pieces.curves().len(), 1, "a straight curve is u-monotone: {source:?}");
         let slope = (&q[1] - &p[1]).checked_div(&(&q[0] - &p[0]));
         let [start, stop] = match shape {
             Shape::Segment => [Some(p.clone()), Some(q.clone())],
@@ -34,7 +34,7 @@ impl<M: Model> Known<M> {
             Shape::Line => [None, None],
         };
         let ends = if p < q { [start, stop] } else { [stop, start] };
-        Some(Self { curve: pieces.curves.remove(0), ends, slope, source: source.clone() })
+        Some(Self { curve: pieces.curves()[0].clone(), ends, slope, source: source.clone() })
     }
 
     fn is_in_u_range(&self, p: &P) -> bool {

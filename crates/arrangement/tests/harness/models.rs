@@ -56,7 +56,7 @@ pub(crate) trait Model: Debug {
     fn pieces(&self, curves: &[Curve]) -> Option<Pieces<Self::Traits>> {
         let (own, points) = self.own(curves)?;
         let mut pieces = Pieces::of_curves(&self.traits(), &own);
-        pieces.points.extend(points);
+        points.into_iter().for_each(|point| pieces.push_point(point));
         Some(pieces)
     }
 }

@@ -33,7 +33,7 @@ pub(crate) fn own(traits: &TorusSegmentTraits, curves: &[TorusCurve]) -> (Vec<To
 pub(crate) fn pieces(traits: &TorusSegmentTraits, curves: &[TorusCurve]) -> Pieces<TorusSegmentTraits> {
     let (paths, points) = own(traits, curves);
     let mut pieces = Pieces::of_curves(traits, &paths);
-    pieces.points.extend(points);
+    points.into_iter().for_each(|point| pieces.push_point(point));
     pieces
 }
 

@@ -35,7 +35,7 @@ fn random_piece(rng: &mut Rng, traits: &TorusSegmentTraits) -> Vec<TorusSegment>
     let start: P = PERIOD.map(|length| fraction(rng.below(2 * length as u64) as i64, denominator));
     let step: P = [0; 2].map(|_| fraction(rng.within(6), denominator));
     let path = traits.path(&Point2::from_rationals(&start), &step).expect("the path is short");
-    Pieces::of_curves(traits, [&path]).curves
+    Pieces::of_curves(traits, [&path]).curves().to_vec()
 }
 
 #[test]

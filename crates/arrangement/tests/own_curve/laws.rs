@@ -95,7 +95,7 @@ fn the_model_keeps_the_laws() {
             .map(|(path, _)| path)
             .filter(|path| path.len() > 1)
             .collect();
-        let arcs = Pieces::of_curves(&TaxicabTraits, &curves).curves;
+        let arcs = Pieces::of_curves(&TaxicabTraits, &curves).curves().to_vec();
         assert_eq!(arcs.iter().map(nodes).collect::<Vec<_>>(), paths, "seed {seed}: {curves:?}");
         for (a, path_a) in arcs.iter().zip(&paths) {
             for (b, path_b) in arcs.iter().zip(&paths) {
@@ -149,7 +149,7 @@ fn the_greatest_coordinates_do_not_overflow() {
             }));
         }
     }
-    let arcs = Pieces::of_curves(&TaxicabTraits, &curves).curves;
+    let arcs = Pieces::of_curves(&TaxicabTraits, &curves).curves().to_vec();
     for a in &arcs {
         for b in &arcs {
             TaxicabTraits.intersect(a, b, &mut Vec::new());

@@ -8,6 +8,7 @@ mod rational_segments;
 mod laws;
 mod models;
 mod tables;
+mod torus;
 
 use rational_segments::{Point, RationalSegments, Segment, point};
 use splitstar_arrangement::models::polycurve::{Chain, Polycurve, PolycurveTraits};

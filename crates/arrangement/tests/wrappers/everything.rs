@@ -181,6 +181,14 @@ impl PieceTraits for Everything {
     fn is_joint_allowed(&self, p: &i32) -> bool {
         *p == 3
     }
+
+    fn is_foldback_on_side(&self, a: &Line, b: &Line, end: CurveEnd) -> bool {
+        a == b && end == CurveEnd::Max
+    }
+
+    fn direction(&self, curve: &Line) -> Option<bool> {
+        Some(curve.0[0] < curve.0[1])
+    }
 }
 
 impl ConnectTraits for Everything {
@@ -266,6 +274,8 @@ pub(crate) fn call_each<G: All<Point = i32>>(
         format!("{:?}", traits.is_on_bottom_top(&2)),
         format!("{:?}", traits.compare_u_on_bottom_top(&1, &2)),
         format!("{:?}", traits.is_joint_allowed(&3)),
+        format!("{:?}", traits.is_foldback_on_side(a, a, CurveEnd::Max)),
+        format!("{:?}", traits.direction(a)),
     ];
     let window = Window { after: Some(&1), until: Some(&6), first_to_end: 1 };
     text.push(format!("{:?}", traits.next_meeting(a, b, window)));

@@ -3,6 +3,13 @@
 use super::Place;
 use splitstar::formats::{Encoding, Format};
 
+/// What an arrangement is written as, and whether gzip is put around it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct CellEncoding {
+    pub(crate) format: CellFormat,
+    pub(crate) gzip: bool,
+}
+
 /// What an arrangement is written as.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum CellFormat {
@@ -12,13 +19,19 @@ pub(crate) enum CellFormat {
     Svg,
 }
 
-impl CellFormat {
+impl CellEncoding {
+    /// Without an ending: star, not packed.
+    pub(super) const DEFAULT: Self = Self { format: CellFormat::Star, gzip: false };
+
+    /// What `star`, `svg`, `star.gz` and `svg.gz` stand for.
     pub(super) fn from_name(name: &str) -> Option<Self> {
-        match name {
-            "star" => Some(Self::Star),
-            "svg" => Some(Self::Svg),
-            _ => None,
-        }
+        let (name, gzip) = name.strip_suffix(".gz").map_or((name, false), |name| (name, true));
+        let format = match name {
+            "star" => CellFormat::Star,
+            "svg" => CellFormat::Svg,
+            _ => return None,
+        };
+        Some(Self { format, gzip })
     }
 }
 
@@ -41,11 +54,17 @@ impl Place {
 }
 
 /// What an arrangement is written as by the ending of a name; star where a name has no ending.
-pub(super) fn cells_of_name(output: &Place) -> Result<CellFormat, String> {
+pub(super) fn cells_of_name(output: &Place) -> Result<CellEncoding, String> {
     let name = output.file_name().unwrap_or_default();
-    let Some((_, ending)) = name.rsplit_once('.') else { return Ok(CellFormat::Star) };
-    CellFormat::from_name(&ending.to_ascii_lowercase()).ok_or_else(|| {
-        format!("an arrangement is not written as `.{ending}`; use .star or .svg, or --format: star or svg")
+    let Some((stem, last)) = name.rsplit_once('.') else { return Ok(CellEncoding::DEFAULT) };
+    let ending = match stem.rsplit_once('.') {
+        Some((_, before)) if last.eq_ignore_ascii_case("gz") => &name[name.len() - before.len() - 3..],
+        _ => last,
+    };
+    CellEncoding::from_name(&ending.to_ascii_lowercase()).ok_or_else(|| {
+        format!(
+            "an arrangement is not written as `.{ending}`; use .star or .svg, each also with .gz, or --format: star or svg"
+        )
     })
 }
 

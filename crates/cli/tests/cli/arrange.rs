@@ -40,7 +40,7 @@ const ROWS: &[Row] = &[
     ("both ways around", "period 4 3\nsegment 0 1 4 1\nsegment 1 0 1 3\n", [3, 4, 1, 0, 1], [3, 4, 1]),
     ("two strips", "period 4 3\nsegment 0 1 4 1\nsegment 0 2 4 2\n", [2, 2, 2, 0, 2], [2, 2, 2]),
     ("a torus knot", "period 4 3\nsegment 0 0 8 9\n", [1, 1, 1, 0, 1], [4, 4, 1]),
-    ("a zigzag around a torus", "period 4 3\npolyline 0 2 1 5/2 2 2 3 5/2 4 2\n", [1, 1, 1, 0, 1], [4, 4, 1]),
+    ("a zigzag around a torus", "period 4 3\npolyline 0 2 1 5/2 2 2 3 5/2 4 2\n", [1, 1, 1, 0, 1], [1, 1, 1]),
     (
         "a square on a torus",
         "period 4 3\nPOLYGON ((1 1, 2 1, 2 2, 1 2, 1 1))\nPOINT (3/2 3/2)\npoint 11/2 3/2\n",
@@ -49,6 +49,8 @@ const ROWS: &[Row] = &[
     ),
     ("turning back on a torus", "period 6 5\npolyline 3 6 7 3 3 6\n", [2, 1, 1, 0, 1], [4, 3, 1]),
     ("turning back on its side", "period 6 5\npolyline 3 3 6 3 3 3\n", [2, 1, 1, 0, 1], [2, 1, 1]),
+    ("onto its own tip on a seam", "period 6 5\npolyline 3 3 7 1 0 1\n", [3, 3, 1, 0, 1], [4, 4, 1]),
+    ("down a loop of a torus", "period 6 5\npolyline 3 1 1 6 1 0\n", [3, 3, 1, 0, 1], [4, 4, 1]),
     ("across the corner of a torus", "period 4 3\nsegment -1 -1 1 1\n", [2, 1, 1, 0, 1], [3, 2, 1]),
 ];
 
@@ -79,6 +81,14 @@ fn cells_are_counted() {
         }
         let picture = run(&["arrange", &file, "-o", "-", "--format", "svg"]).ok();
         assert!(picture.starts_with("<svg ") && picture.ends_with("</svg>\n"), "{name}");
+        let star = run(&["arrange", &file, "-o", "-", "--format", "star"]).ok();
+        let read = splitstar::formats::read_arrangement(star.as_bytes(), None).unwrap();
+        let [seen, stored] = [read.counts(), read.counts_with_splits()];
+        let seen_numbers = [seen.vertices, seen.edges, seen.faces, seen.isolated, seen.components];
+        assert_eq!(seen_numbers.map(|n| n as u64), *counts, "{name}, read back");
+        let stored_numbers = [stored.vertices, stored.edges, stored.faces].map(|n| n as u64);
+        assert_eq!(stored_numbers, *with_splits, "{name}, read back");
+        assert_eq!(splitstar::formats::write_arrangement(&read), star.as_bytes(), "{name}, written again");
         let drawn = |cell: char| picture.matches(&format!("data-id=\"{cell}")).count() as u64;
         assert_eq!(drawn('e'), with_splits[1], "{name}");
         assert_eq!(drawn('f'), with_splits[2], "{name}");
@@ -88,7 +98,7 @@ fn cells_are_counted() {
 #[test]
 fn the_example_files_are_counted() {
     for (name, counts, with_splits) in
-        [("plane", [25, 38, 18, 2, 5], [34, 47, 18]), ("torus", [8, 9, 3, 1, 3], [18, 19, 3])]
+        [("plane", [25, 38, 18, 2, 5], [34, 47, 18]), ("torus", [8, 9, 3, 1, 3], [12, 13, 3])]
     {
         let object = run(&["arrange", &model(&format!("curves/{name}.txt")), "--json"]).json();
         assert_eq!(cells(&object), (counts, with_splits), "{name}");
@@ -166,7 +176,7 @@ const BAD: &[(&str, &[&str], &str)] = &[
     (
         "OFF\n3 1 0\n",
         &[],
-        ":1: a file of OFF as one of curves cannot be read; give curves as text, WKT or GeoJSON",
+        ":1: this is a model (OFF), not a file of curves; give curves as text, WKT or GeoJSON",
     ),
     ("period 4 0\n", &[], ":1: `0` where a period larger than 0 was expected"),
     ("period 4 3\nline 0 0 1 1\n", &[], ":2: a line on a torus cannot be read"),
@@ -188,8 +198,8 @@ const BAD: &[(&str, &[&str], &str)] = &[
     (
         "period 1e-9 1\nsegment 0 0 1 0\nsegment 0 0 0 1\n",
         &[],
-        ":2: the path winds round the torus so often that it has more than 1048576 pieces; \
-         give larger periods, or a shorter curve",
+        ":2: up to here the curves go around the torus more than 131072 times, and are cut there; \
+         give larger periods, or fewer or shorter curves",
     ),
 ];
 
@@ -214,9 +224,13 @@ fn wrong_words_are_refused() {
     let out = folder.path("out.svg");
     let rows: &[(&[&str], &str)] = &[
         (&[], "a file to read expected, 0 given"),
-        (&["a", "-o", "out.off"], "an arrangement is not written as `.off`; use .star or .svg, or --format"),
-        (&["a", "-o", "out.svg.gz"], "not written as `.gz`"),
-        (&["a", "-o", &out, "--format", "off"], "unknown format `off`: star or svg"),
+        (
+            &["a", "-o", "out.off"],
+            "an arrangement is not written as `.off`; use .star or .svg, each also with .gz, or --format",
+        ),
+        (&["a", "-o", "out.gz"], "not written as `.gz`"),
+        (&["a", "-o", "out.off.gz"], "not written as `.off.gz`; use .star or .svg, each also with .gz"),
+        (&["a", "-o", &out, "--format", "off"], "unknown format `off`: star or svg, each also with .gz"),
         (&["a", "--format", "svg"], "where is missing: -o OUT"),
         (&["a", "--surface", "sphere"], "unknown surface `sphere`: plane or torus"),
         (&["a", "--period", "4"], "`--period 4`: 1 numbers given, P,Q expected"),

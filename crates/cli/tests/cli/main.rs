@@ -12,6 +12,7 @@ mod formats;
 mod invalid;
 #[cfg(target_os = "linux")]
 mod memory;
+mod pictures;
 mod results;
 mod streams;
 mod usage;

@@ -181,9 +181,9 @@ fn unknown(word: Token<'_>, file: Option<&[u8]>, file_name: Option<&str>) -> Loc
     };
     let place = Place::Line(word.line);
     if let Some(format) = format {
-        let what = format!("a file of {format} as one of curves");
-        let instead = "give curves as text, WKT or GeoJSON".into();
-        return Fault::Unsupported { what, instead }.at(place);
+        let why =
+            format!("this is a model ({format}), not a file of curves; give curves as text, WKT or GeoJSON");
+        return Fault::Malformed { why }.at(place);
     }
     if content == Content::Xml {
         return unsupported("XML (SVG, GML, KML)", "give curves as text, WKT or GeoJSON").at(place);

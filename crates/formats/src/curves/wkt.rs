@@ -60,6 +60,10 @@ pub(super) fn begins_with(word: Token<'_>) -> bool {
     is_srid(word) || kind_of(word).is_some()
 }
 
+/// What is said to somebody who gives a geometry that is not straight.
+const STRAIGHT: &str =
+    "give `segment`, `ray`, `line`, `polyline` or `point`, or a POINT, LINESTRING or POLYGON of WKT";
+
 /// Whether what follows the word `point` makes it one of WKT: a parenthesis or a word that is no number.
 pub(super) fn follows(lexer: &Lexer<'_>) -> bool {
     let is_tag = |token: Token<'_>| dimension_of(token).is_some() || is(token, "EMPTY");
@@ -124,7 +128,7 @@ impl<'a> Reader<'a, '_, '_, '_> {
         if kind == Kind::Other {
             return Err(word.fault(|what| Fault::Unsupported {
                 what: format!("a geometry `{what}`"),
-                instead: "give points, line strings and polygons".into(),
+                instead: STRAIGHT.into(),
             }));
         }
         let expected = "`(` or `EMPTY`";

@@ -63,7 +63,12 @@ const LINES: &[Row] = &[
     ),
     ("[1, 2]", 1, "`[` where a GeoJSON object, which begins with `{`, was expected; correct it"),
     ("<svg/>", 1, "XML (SVG, GML, KML) cannot be read; give curves as text, WKT or GeoJSON"),
-    ("OFF\n0 0 0", 1, "a file of OFF as one of curves cannot be read; give curves as text, WKT or GeoJSON"),
+    ("OFF\n0 0 0", 1, "this is a model (OFF), not a file of curves; give curves as text, WKT or GeoJSON"),
+    (
+        "circle 0 0 1",
+        1,
+        "a geometry `circle` cannot be read; give `segment`, `ray`, `line`, `polyline` or `point`, or a POINT, LINESTRING or POLYGON of WKT",
+    ),
 ];
 
 const WKT: &[Row] = &[
@@ -87,7 +92,7 @@ const WKT: &[Row] = &[
     (
         "CIRCULARSTRING (0 0, 1 1, 2 0)",
         1,
-        "a geometry `CIRCULARSTRING` cannot be read; give points, line strings and polygons",
+        "a geometry `CIRCULARSTRING` cannot be read; give `segment`, `ray`, `line`, `polyline` or `point`, or a POINT, LINESTRING or POLYGON of WKT",
     ),
     ("GEOMETRYCOLLECTION (\nLINE (1 2))", 2, "`LINE` where a geometry of WKT was expected; correct it"),
     ("SRID=x;POINT(1 2)", 1, "`SRID=x` where `SRID=` and a whole number was expected; correct it"),
@@ -199,9 +204,11 @@ fn files_of_another_kind_are_named() {
     let at_line = |text: &[u8], name: Option<&str>| message(text, name).1;
     assert_eq!(at_line(b"8 1 2\n", None), format!("`8` {KEYWORD}"));
     assert_eq!(at_line(b"point 1 2\nOFF\n", Some("a.off")), format!("`OFF` {KEYWORD}"));
-    let instead = "as one of curves cannot be read; give curves as text, WKT or GeoJSON";
-    assert_eq!(at_line(b"8 1 2\n", Some("a.off")), format!("a file of OFF {instead}"));
-    assert_eq!(at_line(b"v 1 2 3\n", None), format!("a file of OBJ {instead}"));
+    let model = |format: &str| {
+        format!("this is a model ({format}), not a file of curves; give curves as text, WKT or GeoJSON")
+    };
+    assert_eq!(at_line(b"8 1 2\n", Some("a.off")), model("OFF"));
+    assert_eq!(at_line(b"v 1 2 3\n", None), model("OBJ"));
     for bytes in [&b"\xFF\xFEp\0"[..], b"\xFE\xFF\0p"] {
         assert_eq!(at_line(bytes, None), "a text in UTF-16 cannot be read; write it in UTF-8");
     }

@@ -1,12 +1,13 @@
 //! Arrangements made of rows of curves, on all surfaces.
 
+use super::comes_back;
+use arrangement::Arrangement;
 use arrangement::models::polycurve::PolycurveTraits;
 use arrangement::models::{Linear, LinearTraits, TorusSegmentTraits};
 use arrangement::topology::{FlatTorus, UnboundedPlane};
-use arrangement::{Arrangement, Pieces};
 use exact::Rational;
 use exact::planar::Point2;
-use splitstar_formats::StarArrangement;
+use splitstar_formats::{StarArrangement, read_arrangement, write_arrangement};
 
 /// A curve of a test: coordinates in quarters.
 #[derive(Clone, Debug)]
@@ -53,9 +54,7 @@ pub(crate) fn linear(row: &Row) -> Option<Linear> {
 /// Straight curves and points of the plane.
 pub(crate) fn linear_arrangement(rows: &[Row]) -> StarArrangement {
     let curves: Vec<Linear> = rows.iter().filter_map(linear).collect();
-    let mut pieces = Pieces::of_curves(&LinearTraits, &curves);
-    pieces.points.extend(points(rows));
-    Arrangement::of_pieces(LinearTraits, UnboundedPlane, pieces).into()
+    Arrangement::of_curves_and_points(LinearTraits, UnboundedPlane, &curves, points(rows)).into()
 }
 
 fn points(rows: &[Row]) -> impl Iterator<Item = Point2> + '_ {
@@ -73,9 +72,7 @@ pub(crate) fn polycurve_arrangement(rows: &[Row]) -> StarArrangement {
         row => linear(row).map(|curve| traits.make_polycurve([curve]).unwrap()),
     };
     let curves: Vec<_> = rows.iter().filter_map(polycurve).collect();
-    let mut pieces = Pieces::of_curves(&traits, &curves);
-    pieces.points.extend(points(rows));
-    Arrangement::of_pieces(traits, UnboundedPlane, pieces).into()
+    Arrangement::of_curves_and_points(traits, UnboundedPlane, &curves, points(rows)).into()
 }
 
 /// Paths and points of a torus, whose periods are integers.
@@ -113,4 +110,44 @@ pub(crate) fn torus_polycurve_arrangement(period: [i64; 2], rows: &[Row]) -> Sta
         polycurves.push(traits.make_polycurve_of(&paths).unwrap());
     }
     Arrangement::of_curves(traits, FlatTorus, &polycurves).into()
+}
+
+#[test]
+fn chains_on_a_torus_come_back() {
+    let rows = [
+        vec![],
+        vec![Row::Polyline(vec![[1, 1], [2, 3], [3, 2], [2, 1], [1, 1]])],
+        // Through both seams, and the corner.
+        vec![Row::Polyline(vec![[6, 2], [9, 3], [10, 6], [8, 4], [7, 5]])],
+        vec![Row::Polyline(vec![[7, 3], [8, 4], [9, 6]]), Row::Polyline(vec![[7, 5], [9, 3]])],
+        // Overlaps, from both directions, and a point on them.
+        vec![
+            Row::Polyline(vec![[1, 1], [3, 1], [5, 3]]),
+            Row::Polyline(vec![[6, 2], [4, 2], [3, 1], [2, 1], [1, 2]]),
+            Row::Point([2, 1]),
+        ],
+        vec![Row::Polyline(vec![[5, 0], [5, 3], [6, 3]]), Row::Path([4, 2], [2, 0]), Row::Point([7, 3])],
+    ];
+    let mut paths = 0;
+    for rows in rows {
+        let text = comes_back(&torus_polycurve_arrangement([2, 1], &rows));
+        paths += text.lines().filter(|line| line.starts_with("curve") && line.split(' ').count() > 7).count();
+    }
+    assert!(paths > 5, "{paths}");
+}
+
+/// Points that are read are ends of curves, or crossings of two, where they can be.
+#[test]
+fn crossings_are_crossings_again() {
+    let rows = [Row::Segment([0, 0, 12, 4]), Row::Segment([0, 4, 12, 1]), Row::Line([4, 0, 5, 7])];
+    let StarArrangement::Linear(made) = linear_arrangement(&rows) else { panic!("straight curves") };
+    let text = write_arrangement(&made);
+    let StarArrangement::Linear(again) = read_arrangement(&text, None).unwrap() else {
+        panic!("straight curves")
+    };
+    let explicit = [&made, &again].map(|arrangement| {
+        let points = arrangement.vertices().filter_map(|v| arrangement.point(v));
+        points.filter(|point| point.is_explicit()).count()
+    });
+    assert_eq!((made.counts().vertices, explicit), (7, [4, 4]));
 }

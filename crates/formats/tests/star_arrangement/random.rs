@@ -1,8 +1,6 @@
 //! Random arrangements come back, their texts do not depend on the order of curves, and changed texts are read or refused.
 
-use super::models::{
-    Row, linear_arrangement, polycurve_arrangement, torus_arrangement, torus_polycurve_arrangement,
-};
+use super::models::{Row, linear_arrangement, polycurve_arrangement, torus_arrangement};
 use super::{comes_back, read, write};
 use splitstar_formats::{StarArrangement, read_arrangement};
 
@@ -60,15 +58,14 @@ impl Numbers {
         (0..count).map(|_| row(self)).collect()
     }
 
-    fn torus(&mut self, has_polylines: bool) -> Vec<Row> {
+    fn torus(&mut self) -> Vec<Row> {
         let count = self.below(6);
         let row = |numbers: &mut Self| {
             let start = numbers.pair(8);
             let [dx, dy] = numbers.pair(19).map(|d| d - 9);
-            match numbers.below(if has_polylines { 9 } else { 6 }) {
+            match numbers.below(6) {
                 0 => Row::Point(start),
                 1 => Row::Closed(start, [dx % 3, dy % 3]),
-                6.. => Row::Polyline((0..2 + numbers.below(4)).map(|_| numbers.pair(11)).collect()),
                 _ => Row::Path(start, [dx, dy]),
             }
         };
@@ -92,21 +89,12 @@ fn torus(rows: &[Row]) -> StarArrangement {
     torus_arrangement([2, 1], rows)
 }
 
-fn torus_polycurves(rows: &[Row]) -> StarArrangement {
-    torus_polycurve_arrangement([2, 1], rows)
-}
-
-const MAKERS: [(&str, Make); 4] = [
-    ("linear", linear_arrangement),
-    ("polycurves", polycurve_arrangement),
-    ("torus", torus),
-    ("torus polycurves", torus_polycurves),
-];
+const MAKERS: [(&str, Make); 3] =
+    [("linear", linear_arrangement), ("polycurves", polycurve_arrangement), ("torus", torus)];
 
 fn rows(numbers: &mut Numbers, name: &str) -> Vec<Row> {
     match name {
-        "torus" => numbers.torus(false),
-        "torus polycurves" => numbers.torus(true),
+        "torus" => numbers.torus(),
         name => numbers.plane(name == "polycurves"),
     }
 }

@@ -33,14 +33,16 @@ use outline::Outlines;
 const MANY: usize = 2_000;
 
 impl Scene {
-    /// The picture of an arrangement: layers `faces`, `edges`, `vertices`, and on a torus `frame`. Cells have their ids as
-    /// names: `f0`, `e0`, `v0`.
+    /// The picture of an arrangement: layers `faces`, `edges`, `vertices`, and on a torus `frame` above the faces. Cells have
+    /// their ids as names: `f0`, `e0`, `v0`.
     ///
-    /// Bounded faces have the colour of the component of their outer CCB; unbounded ones, and those without outer CCB, a light
-    /// grey. Artificial vertices are not drawn.
+    /// In the plane, bounded faces have the colour of the component of their outer CCB; unbounded ones, and those without outer
+    /// CCB, a light grey. On a torus every face has a colour of its own. Edges are those that are stored; vertices are those of
+    /// [`Arrangement::user_view`], so that a closed curve shows the one that it keeps.
     ///
     /// `shown` is what the picture shows; `None` stands for all vertices and every edge, with a margin. On a torus it must be
-    /// the rectangle whose sides are glued together, which is drawn, too; points on a seam are drawn on both sides.
+    /// the rectangle whose sides are glued together, which is drawn, too; points on a seam, and edges along one, are drawn on
+    /// both sides, with the same name. Whether coordinates are too near each other, [`Scene::is_collapsed`] tells.
     ///
     /// # Errors
     /// If a coordinate is too large for a double.
@@ -54,6 +56,7 @@ impl Scene {
         let is_torus = arrangement.topology().genus() > 0;
         let outlines = Outlines::new(arrangement, shown, is_torus)?;
         let components = Components::new(arrangement);
+        let view = arrangement.user_view();
         let vertex_count = arrangement.vertices().count();
         let (width, size) = if vertex_count > MANY { (0.5, 1.5) } else { (1.25, 5.0) };
         let dcel = arrangement.dcel();
@@ -62,29 +65,26 @@ impl Scene {
         for f in dcel.faces() {
             let Some(rings) = fill::rings(arrangement, &outlines, f, is_torus) else { continue };
             let style = match dcel.outer_ccbs(f).next() {
+                _ if is_torus => Style::filled("face", Colour::pale(f.0)),
                 Some(ccb) if !arrangement.is_unbounded(f) => {
                     let component = components.of(dcel.source(dcel.ccb_halfedge(ccb)));
                     Style::filled("face", Colour::pale(component))
                 }
-                _ => {
-                    let class = if is_torus { "face" } else { "face unbounded" };
-                    Style::filled(class, Colour::Rgb([246, 247, 249]))
-                }
+                _ => Style::filled("face unbounded", Colour::Rgb([246, 247, 249])),
             };
             faces.push(Item::new(Shape::region(rings), style).with_id(format!("f{}", f.0)))?;
         }
 
         let mut edges = Layer::new("edges");
         for e in dcel.edges() {
-            let chain = outlines.chain(e).to_vec();
-            if !chain.is_empty() {
+            for chain in outlines.edge_copies(e) {
                 let style = Style::stroked("edge", Colour::INK, width);
                 edges.push(Item::new(Shape::Polyline(chain), style).with_id(format!("e{}", e.0)))?;
             }
         }
 
         let mut vertices = Layer::new("vertices");
-        for v in arrangement.vertices().filter(|&v| !arrangement.is_artificial(v)) {
+        for v in view.vertices() {
             let Some(point) = arrangement.point(v) else { continue };
             let location = arrangement.topology().point_location(arrangement.traits(), point);
             let style = if dcel.outgoing(v).is_some() {
@@ -100,7 +100,8 @@ impl Scene {
         }
 
         let mut scene = Self::new(outlines.shown);
-        [faces, edges, vertices].into_iter().for_each(|layer| scene.push_layer(layer));
+        scene.set_collapsed(outlines.is_collapsed);
+        scene.push_layer(faces);
         if is_torus {
             let mut frame = Layer::new("frame");
             let stroke = Stroke::new(Colour::GREY, 1.0).with_dash(Dash::Dashed);
@@ -108,6 +109,7 @@ impl Scene {
             frame.push(Item::new(Shape::ClosedPolyline(corners), Style::default().with_stroke(stroke)))?;
             scene.push_layer(frame);
         }
+        [edges, vertices].into_iter().for_each(|layer| scene.push_layer(layer));
         Ok(scene)
     }
 }

@@ -14,8 +14,15 @@ pub(super) struct Outlines {
     pub(super) shown: Frame,
     /// All vertices are inside, every edge meets it, and unbounded edges end on its boundary. On a torus: the rectangle.
     pub(super) window: Frame,
+    /// Whether what happens is too small against its distance from the origin for doubles to show it.
+    pub(super) is_collapsed: bool,
     chains: Vec<Vec<Point>>,
+    /// On a torus, the axes along whose sides edges run.
+    sides: Vec<(EdgeId, usize)>,
 }
+
+/// Below this part of the largest coordinate, an extent has few doubles in it.
+const COARSE: f64 = 1e-9;
 
 impl Outlines {
     pub(super) fn new<G: ApproxTraits, T: Topology<G>>(
@@ -24,18 +31,48 @@ impl Outlines {
         is_torus: bool,
     ) -> Result<Self, RenderError> {
         let bounds = bounds(arrangement)?;
+        let has_extent =
+            arrangement.vertices().nth(1).is_some() || arrangement.dcel().edges().next().is_some();
+        let is_collapsed = has_extent && !is_torus && bounds.is_some_and(|bounds| is_coarse(&bounds));
         let around = bounds.map(|bounds| bounds.with_margin(0.08));
         let shown = shown.or(around).unwrap_or(Frame::UNIT);
         let window = if is_torus { shown } else { around.map_or(shown, |around| around.union(shown)) };
         let mut chains = vec![Vec::new(); arrangement.dcel().edge_bound()];
+        let mut sides = Vec::new();
         for e in arrangement.dcel().edges() {
             let chain = make_chain(arrangement, e, &window);
             for point in &chain {
                 finite("a coordinate", point)?;
             }
             chains[e.index()] = chain;
+            if is_torus {
+                sides.extend(axis_of_side(end_locations(arrangement, e)).map(|axis| (e, axis)));
+            }
         }
-        Ok(Self { shown, window, chains })
+        Ok(Self { shown, window, is_collapsed, chains, sides })
+    }
+
+    /// An edge wherever it is drawn: on a torus, one along a side is drawn along the opposite one, too.
+    pub(super) fn edge_copies(&self, e: EdgeId) -> Vec<Vec<Point>> {
+        let chain = self.chain(e);
+        if chain.is_empty() {
+            return Vec::new();
+        }
+        let mut copies = vec![chain.to_vec()];
+        // Edges are in the order of their ids.
+        if let Ok(index) = self.sides.binary_search_by_key(&e, |&(e, _)| e) {
+            let axis = self.sides[index].1;
+            let [low, high] = [self.window.min()[axis], self.window.max()[axis]];
+            let is_low = chain[0][axis] - low < high - chain[0][axis];
+            let move_by = if is_low { high - low } else { low - high };
+            let moved = chain.iter().map(|&point| {
+                let mut point = point;
+                point[axis] += move_by;
+                point
+            });
+            copies.push(moved.collect());
+        }
+        copies
     }
 
     /// The points along an edge, from its min to its max vertex.
@@ -63,6 +100,30 @@ impl Outlines {
         let (us, vs) = (along(0, location.u), along(1, location.v));
         us.iter().flat_map(|&u| vs.iter().map(move |&v| [u, v])).collect()
     }
+}
+
+/// Whether a rectangle is small against its distance from the origin.
+fn is_coarse(bounds: &Frame) -> bool {
+    let size = bounds.min().iter().chain(&bounds.max()).fold(0.0_f64, |size, c| size.max(c.abs()));
+    let [width, height] = bounds.half_extent();
+    2.0 * width.max(height) < COARSE * size
+}
+
+/// Where the ends of an edge's curve are.
+fn end_locations<G: ApproxTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    e: EdgeId,
+) -> [Location; 2] {
+    let (traits, curve) = (arrangement.traits(), arrangement.curve_of(e));
+    CurveEnd::BOTH.map(|end| arrangement.topology().end_location(traits, curve, end))
+}
+
+/// The axis whose side a curve runs along, if it does: 0 for the sides at the left and at the right.
+fn axis_of_side([min_end, max_end]: [Location; 2]) -> Option<usize> {
+    let runs_along_side = |a: Along, b: Along| a == b && a != Along::Inside;
+    [runs_along_side(min_end.u, max_end.u), runs_along_side(min_end.v, max_end.v)]
+        .iter()
+        .position(|&runs| runs)
 }
 
 /// A rectangle around all vertices and bounded edges that every unbounded edge meets.
@@ -114,9 +175,8 @@ fn make_chain<G: ApproxTraits, T: Topology<G>>(
 ) -> Vec<Point> {
     let (traits, topology) = (arrangement.traits(), arrangement.topology());
     let curve = arrangement.curve_of(e);
-    let [min_end, max_end] = CurveEnd::BOTH.map(|end| topology.end_location(traits, curve, end));
-    let runs_along_side = |a: Along, b: Along| a == b && a != Along::Inside;
-    let is_along = runs_along_side(min_end.u, max_end.u) || runs_along_side(min_end.v, max_end.v);
+    let [min_end, max_end] = end_locations(arrangement, e);
+    let is_along = axis_of_side([min_end, max_end]).is_some();
     // A vertex on a seam is one point for both sides: which one this edge reaches, only its curve knows.
     let point_of = |k: usize, end: Location| {
         let point = arrangement.point(arrangement.dcel().ends(e)[k])?;

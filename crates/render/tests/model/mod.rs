@@ -188,8 +188,10 @@ pub(crate) const RAY: [bool; 2] = [true, false];
 pub(crate) const SEGMENT: [bool; 2] = [true, true];
 
 pub(crate) fn arrange(curves: Vec<Straight>, points: Vec<Place>) -> Arrangement<Straights, UnboundedPlane> {
-    let is_artificial = vec![[false; 2]; curves.len()];
-    Arrangement::of_pieces(Straights, UnboundedPlane, Pieces { curves, is_artificial, points })
+    let mut pieces = Pieces::new();
+    curves.into_iter().for_each(|curve| pieces.push_curve(curve));
+    points.into_iter().for_each(|point| pieces.push_point(point));
+    Arrangement::of_pieces(Straights, UnboundedPlane, pieces)
 }
 
 fn polygon(corners: &[[i128; 2]]) -> Vec<Straight> {

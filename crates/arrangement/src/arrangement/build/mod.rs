@@ -49,6 +49,7 @@ pub(crate) struct Builder<'s, P> {
     pub(crate) edge_curves: Vec<u32>,
     /// Edges along which several curves run, with all of these.
     pub(crate) overlaps: Vec<(u32, Vec<u32>)>,
+    keeps_overlaps: bool,
     isolated: Vec<(VertexId, u32)>,
     labels: Labels,
     /// The gap below all strands, and the one above all.
@@ -90,6 +91,7 @@ impl<'s, P: Clone> Builder<'s, P> {
             is_artificial: vec![false; special],
             edge_curves: Vec::new(),
             overlaps: Vec::new(),
+            keeps_overlaps: !G::OVERLAPS_ARE_PLAIN,
             isolated: Vec::new(),
             labels,
             bottom: first,
@@ -127,7 +129,7 @@ impl<'s, P: Clone> Builder<'s, P> {
             let halfedge = |source, label| Halfedge { next: none, prev: none, source, ccb: CcbId(label) };
             self.halfedges.push(halfedge(vertex, label));
             self.halfedges.push(halfedge(VertexId::NONE, below));
-            if around.is_overlap(i) {
+            if self.keeps_overlaps && around.is_overlap(i) {
                 self.overlaps.push((edge, around.curves_of(i).map(|curve| curve as u32).collect()));
             }
             self.edge_curves.push(around.right[i].curve() as u32);

@@ -1,10 +1,10 @@
 //! Arrangements that are broken in one way each.
 
 use super::Violation as V;
+use crate::CurveId;
 use crate::arrangement::Arrangement;
 use crate::models::{Linear, LinearTraits, Segment, SegmentTraits};
 use crate::topology::{BoundedPlane, UnboundedPlane};
-use crate::{CurveId, Pieces};
 use dcel::{EdgeId, FaceId, VertexId};
 use exact::planar::Point2;
 
@@ -17,9 +17,8 @@ fn segment(ends: [i64; 4]) -> Segment {
 
 fn plane(segments: &[[i64; 4]], points: &[[i64; 2]]) -> Plane {
     let segments: Vec<Segment> = segments.iter().map(|&ends| segment(ends)).collect();
-    let mut pieces = Pieces::of_curves(&SegmentTraits, &segments);
-    pieces.points = points.iter().map(|&point| Point2::from_i64(point)).collect();
-    let plane = Arrangement::of_pieces(SegmentTraits, BoundedPlane, pieces);
+    let points = points.iter().map(|&point| Point2::from_i64(point));
+    let plane = Arrangement::of_curves_and_points(SegmentTraits, BoundedPlane, &segments, points);
     assert_eq!(plane.check_valid(), []);
     plane
 }

@@ -8,6 +8,8 @@ impl<S: PieceTraits> BasicTraits for PolycurveTraits<S> {
     type Point = S::Point;
     type UMonotoneCurve = Chain<S::UMonotoneCurve>;
 
+    const OVERLAPS_ARE_PLAIN: bool = S::OVERLAPS_ARE_PLAIN;
+
     #[inline]
     fn order_key(&self, p: &Self::Point) -> u64 {
         self.pieces.order_key(p)

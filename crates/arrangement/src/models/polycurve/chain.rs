@@ -102,7 +102,11 @@ impl<S: PieceTraits> PolycurveTraits<S> {
 
     /// The number of joints that are passed, all of which come before those that are not.
     #[inline]
-    fn find(&self, chain: &Chain<S::UMonotoneCurve>, is_passed: impl Fn(&S::Point) -> bool) -> usize {
+    pub(super) fn find(
+        &self,
+        chain: &Chain<S::UMonotoneCurve>,
+        is_passed: impl Fn(&S::Point) -> bool,
+    ) -> usize {
         let (mut low, mut high) = (0, chain.last());
         while low < high {
             let middle = low + (high - low) / 2;

@@ -47,12 +47,14 @@ impl<S: PieceTraits> PolycurveTraits<S> {
         if pieces.iter().all(is_point) {
             return self.assemble_points(pieces);
         }
-        let directions = match self.orient(&pieces, true) {
+        let is_first_right = self.first_direction(&pieces);
+        let directions = match self.orient(&pieces, is_first_right) {
             Ok(directions) => directions,
             Err(first) => self
-                .orient(&pieces, false)
+                .orient(&pieces, !is_first_right)
                 .map_err(|second| PolycurveError::NotConnected { curve: first.max(second) })?,
         };
+        let is_one_curve = pieces.iter().all(|(number, _)| *number == pieces[0].0);
         let mut directions = directions.into_iter();
         let links: Vec<_> = pieces
             .into_iter()
@@ -65,7 +67,16 @@ impl<S: PieceTraits> PolycurveTraits<S> {
                 }
             })
             .collect();
-        Ok(self.cut(links))
+        Ok(self.cut(links, is_one_curve))
+    }
+
+    /// Whether the first piece is expected to run to the right.
+    fn first_direction(&self, pieces: &Numbered<S>) -> bool {
+        let mut curves = pieces.iter().filter_map(|(_, piece)| match piece {
+            Piece::Curve { curve, .. } => Some(curve),
+            Piece::Point(_) => None,
+        });
+        curves.next().and_then(|curve| self.pieces.direction(curve)).unwrap_or(true)
     }
 
     /// Curves all of which are points: one point.
@@ -98,7 +109,12 @@ impl<S: PieceTraits> PolycurveTraits<S> {
                 Piece::Point(_) => return Err(*number),
                 Piece::Curve { curve, .. } => {
                     let [min, max] = CurveEnd::BOTH.map(|end| self.pieces.end_point(curve, end));
-                    let is_right = if directions.is_empty() { is_first_right } else { is_here(min) };
+                    let is_right = match directions.is_empty() {
+                        true => is_first_right,
+                        // A curve from a point back to it does not tell by its ends.
+                        false if is_here(min) && is_here(max) => self.pieces.direction(curve).unwrap_or(true),
+                        false => is_here(min),
+                    };
                     let (from, to) = if is_right { (min, max) } else { (max, min) };
                     if !is_here(from) {
                         return Err(*number);
@@ -111,13 +127,13 @@ impl<S: PieceTraits> PolycurveTraits<S> {
         Ok(directions)
     }
 
-    fn cut(&self, links: Vec<Link<S::UMonotoneCurve>>) -> PolycurveOf<S> {
+    fn cut(&self, links: Vec<Link<S::UMonotoneCurve>>, is_one_curve: bool) -> PolycurveOf<S> {
         let (first, last) = (&links[0], &links[links.len() - 1]);
         let start = self.pieces.end_point(&first.curve, first.entry());
         let end = self.pieces.end_point(&last.curve, last.exit());
         let is_closed = start.zip(end).is_some_and(|(p, q)| self.pieces.is_same_point(p, q));
-        // The start of a closed curve is cut, whatever it does there.
-        let [at_start, at_end] = match is_closed {
+        // The start of a closed polycurve is cut, whatever it does there. Of one curve, only the model knows.
+        let [at_start, at_end] = match is_closed && !is_one_curve {
             true => [self.joint(last, first) != Joint::Tip; 2],
             false => [first.is_artificial(first.entry()), last.is_artificial(last.exit())],
         };
@@ -140,9 +156,11 @@ impl<S: PieceTraits> PolycurveTraits<S> {
     fn joint(&self, before: &Link<S::UMonotoneCurve>, after: &Link<S::UMonotoneCurve>) -> Joint {
         let (a, b) = (&before.curve, &after.curve);
         let end = before.exit();
-        let Some(p) = self.pieces.end_point(a, end).filter(|p| self.pieces.is_joint_allowed(p)) else {
-            return Joint::Cut;
-        };
+        let Some(p) = self.pieces.end_point(a, end) else { return Joint::Cut };
+        if !self.pieces.is_joint_allowed(p) {
+            let is_tip = before.is_right != after.is_right && self.pieces.is_foldback_on_side(a, b, end);
+            return if is_tip { Joint::Tip } else { Joint::Cut };
+        }
         if before.is_vertical != after.is_vertical {
             return Joint::Cut;
         }

@@ -105,8 +105,10 @@ impl<S: PieceTraits> UMonotoneTraits for PolycurveTraits<S> {
         above: &Self::UMonotoneCurve,
         window: Window<'_, Self::Point>,
     ) -> Meeting<Self::Point> {
-        let [mut i, mut j] =
-            [below, above].map(|chain| window.after.map_or(0, |after| self.piece_after(chain, after)));
+        let [mut i, mut j] = match window.after {
+            Some(after) => [below, above].map(|chain| self.piece_after(chain, after)),
+            None => self.first_pieces(below, above),
+        };
         let mut after = window.after;
         loop {
             let (lower, upper) = (&below.pieces()[i], &above.pieces()[j]);
@@ -120,7 +122,15 @@ impl<S: PieceTraits> UMonotoneTraits for PolycurveTraits<S> {
                 (None, Some(q)) => (Ordering::Greater, q),
                 (None, None) => return self.pieces.next_meeting(lower, upper, Window { after, ..window }),
             };
-            if window.until.is_some_and(|until| self.pieces.compare_uv(until, end).is_le()) {
+            let is_first_over = match window.until {
+                Some(until) => self.pieces.compare_uv(until, end).is_le(),
+                // It ends on a side, or is unbounded: a vertical one is over before the other comes to its joint.
+                None => match window.first_to_end {
+                    0 => i == below.last() && !self.pieces.is_in_u_range(end, lower),
+                    _ => j == above.last() && !self.pieces.is_in_u_range(end, upper),
+                },
+            };
+            if is_first_over {
                 return self.pieces.next_meeting(lower, upper, Window { after, ..window });
             }
             let first_to_end = usize::from(order.is_gt());
@@ -165,6 +175,20 @@ impl<S: PieceTraits> PolycurveTraits<S> {
     /// The end of a chain, if it is a point in the interior.
     fn inner_end<'a>(&self, chain: &'a Chain<S::UMonotoneCurve>, end: CurveEnd) -> Option<&'a S::Point> {
         self.end_point(chain, end).filter(|p| self.pieces.is_joint_allowed(p))
+    }
+
+    /// The pieces of two chains where the later of them begins, which became neighbours there or before any of their joints.
+    ///
+    /// It may begin on the bottom or the top, and the other far to the left: pieces further left have another order, or none.
+    fn first_pieces(&self, a: &Chain<S::UMonotoneCurve>, b: &Chain<S::UMonotoneCurve>) -> [usize; 2] {
+        let [p, q] = [a, b].map(|chain| self.end_point(chain, CurveEnd::Min));
+        // A point on the bottom is before all joints with its u, so that the other chain is taken up a piece too early rather
+        // than too late; so is one on the top, if both are identified.
+        let is_passed = |joint: &S::Point, start: &S::Point| self.pieces.compare_uv(joint, start).is_le();
+        let first_piece = |chain, start: Option<&S::Point>| {
+            start.map_or(0, |start| self.find(chain, |joint| is_passed(joint, start)))
+        };
+        [first_piece(a, q), first_piece(b, p)]
     }
 
     /// Adds to what two chains have in common the points on sides, where chains end. One is in several places of the parameter

@@ -12,6 +12,7 @@
 //! 2. A polycurve is cut where it turns back along u, where it begins or ceases to be vertical, and on the sides of the parameter
 //!    space. These cuts are artificial: results do not show them. So is the start of a closed polycurve. The tip of a foldback,
 //!    where it returns upon itself, is an end like others, and not artificial.
+//!    On a side, what returns has to come back in the same place of the parameter space to be a foldback.
 //! 3. Joints inside a chain are no vertices of an arrangement.
 //! 4. A question about a chain at a point is one about a piece, which is found by binary search. Two chains are compared along
 //!    the u-range that they share by walking along both.

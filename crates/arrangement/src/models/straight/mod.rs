@@ -197,6 +197,7 @@ macro_rules! straight_traits {
             type UMonotoneCurve = $curve;
 
             const MEET_ONCE: bool = true;
+            const OVERLAPS_ARE_PLAIN: bool = true;
 
             #[inline]
             fn order_key(&self, p: &Self::Point) -> u64 {

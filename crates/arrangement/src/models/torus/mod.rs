@@ -163,6 +163,7 @@ impl BasicTraits for TorusSegmentTraits {
 
     // In the rectangle, where sweeps take place. Two curves may besides have ends in the same point of the torus.
     const MEET_ONCE: bool = true;
+    const OVERLAPS_ARE_PLAIN: bool = true;
 
     #[inline]
     fn order_key(&self, p: &Point2) -> u64 {

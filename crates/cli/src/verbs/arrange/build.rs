@@ -7,9 +7,8 @@ use splitstar::arrangement::models::polycurve::PolycurveTraits;
 use splitstar::arrangement::models::{Linear, LinearTraits, TorusPath, TorusSegmentTraits};
 use splitstar::arrangement::sweep::Progress;
 use splitstar::arrangement::topology::{FlatTorus, Topology, UnboundedPlane};
-use splitstar::arrangement::traits::{ArrangementTraits, DirectionalTraits, Piece};
+use splitstar::arrangement::traits::ArrangementTraits;
 use splitstar::arrangement::{Arrangement, Pieces};
-use splitstar::exact::Sign;
 use splitstar::exact::planar::Point2;
 use splitstar::formats::{InputCurve, StarArrangement};
 use std::ops::ControlFlow;
@@ -24,8 +23,14 @@ pub(super) fn arrangement(
     console: &Console,
 ) -> Result<StarArrangement, Failure> {
     match ground {
+        Ground::Torus(period) if operands.iter().any(has_polyline) => {
+            let paths = TorusSegmentTraits::new(period).expect(POSITIVE);
+            let traits = PolycurveTraits::new(paths);
+            let pieces = collect(operands, |curve, pieces| as_torus_polycurve(curve, &traits, pieces))?;
+            Ok(StarArrangement::TorusPolycurves(swept(traits, FlatTorus, pieces, console)))
+        }
         Ground::Torus(period) => {
-            let traits = TorusSegmentTraits::new(period).expect("the periods of a torus are positive");
+            let traits = TorusSegmentTraits::new(period).expect(POSITIVE);
             let pieces = collect(operands, |curve, pieces| on_torus(curve, &traits, pieces))?;
             Ok(StarArrangement::Torus(swept(traits, FlatTorus, pieces, console)))
         }
@@ -64,11 +69,11 @@ fn collect<G: ArrangementTraits>(
     operands: Vec<CurveOperand>,
     mut add: impl FnMut(InputCurve, &mut Pieces<G>) -> Result<(), String>,
 ) -> Result<Pieces<G>, Failure> {
-    let mut pieces = Pieces::default();
+    let mut pieces = Pieces::new();
     for mut operand in operands {
         for (place, curve) in std::mem::take(&mut operand.file.curves).into_iter().enumerate() {
             add(curve, &mut pieces).map_err(|sentence| operand.failure(place, sentence))?;
-            if pieces.curves.len() + pieces.points.len() >= PIECES {
+            if pieces.curves().len() + pieces.points().len() >= PIECES {
                 let sentence = format!(
                     "up to here the curves have {PIECES} pieces, and a sweep takes fewer; remove some"
                 );
@@ -79,6 +84,7 @@ fn collect<G: ArrangementTraits>(
     Ok(pieces)
 }
 
+const POSITIVE: &str = "the periods of a torus are positive";
 const DIFFERENT: &str = "the points of a curve that was read are different";
 
 /// The segment, ray or line; `None` if it is none of them.
@@ -93,12 +99,11 @@ fn linear(curve: InputCurve) -> Option<Linear> {
 
 fn as_linear(curve: InputCurve, pieces: &mut Pieces<LinearTraits>) -> Result<(), String> {
     if let InputCurve::Point(point) = curve {
-        pieces.points.push(point);
+        pieces.push_point(point);
         return Ok(());
     }
     let curve = linear(curve).ok_or("it is not a segment, a ray, a line or a point")?;
-    pieces.curves.push(curve);
-    pieces.is_artificial.push([false; 2]);
+    pieces.push_curve(curve);
     Ok(())
 }
 
@@ -109,7 +114,7 @@ fn as_polycurve(
 ) -> Result<(), String> {
     let polycurve = match curve {
         InputCurve::Point(point) => {
-            pieces.points.push(point);
+            pieces.push_point(point);
             return Ok(());
         }
         InputCurve::Polyline(vertices) => traits.make_polyline(vertices),
@@ -118,80 +123,53 @@ fn as_polycurve(
         ]),
     };
     let polycurve = polycurve.map_err(|error| error.to_string())?;
-    polycurve.parts().iter().cloned().for_each(|piece| push(piece, pieces));
+    pieces.extend(polycurve.parts().iter().cloned());
     Ok(())
 }
 
-/// A segment is the path between its points, and so is each piece of a polyline; its joints are not vertices.
+fn path(traits: &TorusSegmentTraits, [from, to]: &[Point2; 2]) -> Result<TorusPath, String> {
+    let [[a, b], [c, d]] = [from.coordinates(), to.coordinates()];
+    traits.path(from, &[c - a, d - b]).map_err(|error| shorter(&error))
+}
+
+fn shorter(error: &dyn std::error::Error) -> String {
+    format!("{error}; give larger periods, or a shorter curve")
+}
+
+/// A segment is the path between its points in the universal cover.
 fn on_torus(
     curve: InputCurve,
     traits: &TorusSegmentTraits,
     pieces: &mut Pieces<TorusSegmentTraits>,
 ) -> Result<(), String> {
-    let points = match curve {
-        InputCurve::Segment(ends) => ends.to_vec(),
-        InputCurve::Polyline(points) => points,
-        InputCurve::Point(point) => {
-            pieces.points.push(traits.point(&point));
-            return Ok(());
+    match curve {
+        InputCurve::Point(point) => pieces.push_point(traits.point(&point)),
+        InputCurve::Segment(ends) => {
+            let mut cut = Vec::new();
+            traits.make_u_monotone(&path(traits, &ends)?, &mut cut);
+            pieces.extend(cut);
         }
-        _ => return Err("it is not a segment, a polyline or a point".into()),
-    };
-    let paths: Vec<TorusPath> =
-        points.windows(2).map(|ends| path(traits, &ends[0], &ends[1])).collect::<Result<_, _>>()?;
-    let ends = [&points[0], &points[points.len() - 1]].map(|point| traits.point(point));
-    // One straight path that comes back to its beginning has a vertex there.
-    let is_closed = paths.len() > 1 && ends[0] == ends[1];
-    let count = paths.len();
-    let is_joint = |number: usize| {
-        let is_inner = (1..count).contains(&number) || is_closed;
-        is_inner && !turns_back(&paths[(number + count - 1) % count], &paths[number % count])
-    };
-    for (number, path) in paths.iter().enumerate() {
-        push_path(path, traits, [number, number + 1].map(is_joint), pieces);
+        _ => return Err("it is not a segment or a point".into()),
     }
     Ok(())
 }
 
-fn path(traits: &TorusSegmentTraits, from: &Point2, to: &Point2) -> Result<TorusPath, String> {
-    let [[a, b], [c, d]] = [from.coordinates(), to.coordinates()];
-    traits
-        .path(from, &[c - a, d - b])
-        .map_err(|error| format!("{error}; give larger periods, or a shorter curve"))
-}
-
-/// Whether a path returns upon the one before it: such a joint is an end, and a vertex.
-fn turns_back(before: &TorusPath, path: &TorusPath) -> bool {
-    let ([a, b], [c, d]) = (before.displacement(), path.displacement());
-    a * d == b * c && (a * c + b * d).sign() == Sign::Negative
-}
-
-/// Adds the pieces of a path, of which the source, the target or both may be joints.
-fn push_path(
-    path: &TorusPath,
-    traits: &TorusSegmentTraits,
-    [from_joint, to_joint]: [bool; 2],
-    pieces: &mut Pieces<TorusSegmentTraits>,
-) {
-    let mut cut = Vec::new();
-    traits.make_u_monotone(path, &mut cut);
-    let last = cut.len().saturating_sub(1);
-    for (number, mut piece) in cut.into_iter().enumerate() {
-        if let Piece::Curve { curve, is_artificial } = &mut piece {
-            let [source, target] = if traits.is_directed_right(curve) { [0, 1] } else { [1, 0] };
-            is_artificial[source] |= number == 0 && from_joint;
-            is_artificial[target] |= number == last && to_joint;
+/// The same with polylines, whose vertices are in the universal cover, too.
+fn as_torus_polycurve(
+    curve: InputCurve,
+    traits: &PolycurveTraits<TorusSegmentTraits>,
+    pieces: &mut Pieces<PolycurveTraits<TorusSegmentTraits>>,
+) -> Result<(), String> {
+    let polycurve = match curve {
+        InputCurve::Point(point) => {
+            pieces.push_point(traits.inner().point(&point));
+            return Ok(());
         }
-        push(piece, pieces);
-    }
-}
-
-fn push<G: ArrangementTraits>(piece: Piece<G::Point, G::UMonotoneCurve>, pieces: &mut Pieces<G>) {
-    match piece {
-        Piece::Curve { curve, is_artificial } => {
-            pieces.curves.push(curve);
-            pieces.is_artificial.push(is_artificial);
-        }
-        Piece::Point(point) => pieces.points.push(point),
-    }
+        InputCurve::Polyline(vertices) => traits.make_cover_polyline(vertices),
+        InputCurve::Segment(ends) => traits.make_cover_polyline(ends),
+        _ => return Err("it is not a segment, a polyline or a point".into()),
+    };
+    let polycurve = polycurve.map_err(|error| shorter(&error))?;
+    pieces.extend(polycurve.parts().iter().cloned());
+    Ok(())
 }
