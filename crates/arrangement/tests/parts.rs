@@ -37,10 +37,9 @@ impl Numbers {
             };
             match curve {
                 Some(curve) => {
-                    pieces.curves.push(curve);
-                    pieces.is_artificial.push([false; 2]);
+                    pieces.push_curve(curve);
                 }
-                None => pieces.points.push(p),
+                None => pieces.push_point(p),
             }
         }
         Arrangement::of_pieces(LinearTraits, UnboundedPlane, pieces)
