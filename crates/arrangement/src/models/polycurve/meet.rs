@@ -126,8 +126,8 @@ impl<S: PieceTraits> UMonotoneTraits for PolycurveTraits<S> {
                 Some(until) => self.pieces.compare_uv(until, end).is_le(),
                 // It ends on a side, or is unbounded: a vertical one is over before the other comes to its joint.
                 None => match window.first_to_end {
-                    0 => i == below.last() && !self.pieces.is_in_u_range(end, lower),
-                    _ => j == above.last() && !self.pieces.is_in_u_range(end, upper),
+                    0 => i == below.last() && self.is_over_before(lower, end),
+                    _ => j == above.last() && self.is_over_before(upper, end),
                 },
             };
             if is_first_over {
@@ -175,6 +175,17 @@ impl<S: PieceTraits> PolycurveTraits<S> {
     /// The end of a chain, if it is a point in the interior.
     fn inner_end<'a>(&self, chain: &'a Chain<S::UMonotoneCurve>, end: CurveEnd) -> Option<&'a S::Point> {
         self.end_point(chain, end).filter(|p| self.pieces.is_joint_allowed(p))
+    }
+
+    /// Tells whether a piece that ends on a side or is unbounded does so before a joint of another chain is met.
+    ///
+    /// A vertical line has no end to compare with, and need not: joints to the left and to the right of it are on its two sides.
+    fn is_over_before(&self, piece: &S::UMonotoneCurve, joint: &S::Point) -> bool {
+        if !self.pieces.is_vertical(piece) {
+            return !self.pieces.is_in_u_range(joint, piece);
+        }
+        let end = CurveEnd::BOTH.into_iter().find_map(|end| self.pieces.end_point(piece, end));
+        end.is_some_and(|end| self.pieces.compare_u(joint, end).is_gt())
     }
 
     /// The pieces of two chains where the later of them begins, which became neighbours there or before any of their joints.
