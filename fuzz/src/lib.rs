@@ -1,6 +1,7 @@
 //! What every fuzz target checks of a reader.
 
-use splitstar_formats::{Format, Model, Shape, WriteOptions, read, write};
+use splitstar_formats::{Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
+use splitstar_formats::{read_arrangement, write_arrangement};
 
 /// Reads bytes as a file of that name. A message must be one short line; a model must come back from the native
 /// format as it was, and every other format must take it or say why not.
@@ -48,4 +49,55 @@ fn check_written(model: &Model, format: Format) {
 /// A number read with an exponent may have more digits, written out, than may be read.
 fn has_long_numbers(model: &Model) -> bool {
     model.shape.points().any(|point| point.bits() > 1_000)
+}
+
+/// Reads bytes as a file of curves. A message must be one short line; curves must come back as they were.
+pub fn check_curves(bytes: &[u8]) {
+    let file = match read_curves(bytes, None) {
+        Ok(file) => file,
+        Err(error) => {
+            let message = error.to_string();
+            assert!(message.len() < 600 && !message.contains(char::is_control), "{message:?}");
+            return;
+        }
+    };
+    match read_curves(&write_curves(&file.curves), None) {
+        Ok(again) => assert_eq!(again.curves, file.curves),
+        Err(error) => assert!(file.curves.iter().any(is_long), "what was written cannot be read: {error}"),
+    }
+}
+
+/// As for models: a number may have more digits, written out, than may be read.
+fn is_long(curve: &InputCurve) -> bool {
+    let points = match curve {
+        InputCurve::Segment(points) | InputCurve::Ray(points) | InputCurve::Line(points) => points.as_slice(),
+        InputCurve::Polyline(points) => points,
+        InputCurve::Point(point) => std::slice::from_ref(point),
+        _ => &[],
+    };
+    points.iter().flat_map(|point| point.coordinates()).any(|number| number.to_string().len() > 1_000)
+}
+
+/// Reads bytes as an arrangement. A message must be one short line; an arrangement must come back with the text that it is given.
+pub fn check_arrangement(bytes: &[u8]) {
+    let arrangement = match read_arrangement(bytes, None) {
+        Ok(arrangement) => arrangement,
+        Err(error) => {
+            let message = error.to_string();
+            assert!(message.len() < 600 && !message.contains(char::is_control), "{message:?}");
+            return;
+        }
+    };
+    let text = write_arrangement(&arrangement);
+    match read_arrangement(&text, None) {
+        Ok(again) => {
+            assert_eq!(again.counts_with_splits(), arrangement.counts_with_splits());
+            assert_eq!(String::from_utf8_lossy(&write_arrangement(&again)), String::from_utf8_lossy(&text));
+        }
+        // A number may have more digits, written out, than may be read.
+        Err(error) => {
+            let is_long = text.split(|byte| b" /\n".contains(byte)).any(|word| word.len() > 1_000);
+            assert!(is_long, "what was written cannot be read: {error}");
+        }
+    }
 }

@@ -1,9 +1,14 @@
 //! The command line, from words to values. Knows every verb and option; opens nothing.
 
+mod names;
+
+pub(crate) use names::{CellEncoding, CellFormat};
+
 use crate::failure::Failure;
 use lexopt::Arg;
 use lexopt::prelude::*;
-use splitstar::exact::Rational;
+use names::{cells_of_name, encoding_of_name, format_names};
+use splitstar::exact::{Rational, Sign};
 use splitstar::formats::{Encoding, Format, Unit};
 use std::ffi::{OsStr, OsString};
 use std::path::PathBuf;
@@ -35,6 +40,11 @@ pub(crate) struct Run {
     pub(crate) method: Method,
     pub(crate) motion: Motion,
     pub(crate) triangulate: bool,
+    pub(crate) surface: Option<Surface>,
+    /// The periods of a torus, both positive.
+    pub(crate) period: Option<[Rational; 2]>,
+    /// What an arrangement is written as, asked for by name.
+    pub(crate) cells: Option<CellEncoding>,
 }
 
 /// A file, or a standard stream.
@@ -50,6 +60,7 @@ pub(crate) enum Verb {
     Hull,
     Info,
     Convert,
+    Arrange,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -57,6 +68,13 @@ pub(crate) enum Method {
     #[default]
     Overlay,
     Hull,
+}
+
+/// What curves lie on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Surface {
+    Plane,
+    Torus,
 }
 
 /// The parts of a motion, in the order in which they are applied.
@@ -75,7 +93,7 @@ pub(crate) enum Rotation {
 }
 
 impl Verb {
-    pub(crate) const ALL: [Self; 4] = [Self::Sum, Self::Hull, Self::Info, Self::Convert];
+    pub(crate) const ALL: [Self; 5] = [Self::Sum, Self::Hull, Self::Info, Self::Convert, Self::Arrange];
 
     pub(crate) fn name(self) -> &'static str {
         match self {
@@ -83,6 +101,7 @@ impl Verb {
             Self::Hull => "hull",
             Self::Info => "info",
             Self::Convert => "convert",
+            Self::Arrange => "arrange",
         }
     }
 
@@ -107,6 +126,7 @@ impl Verb {
                 "json",
                 "quiet",
             ],
+            Self::Arrange => &["output", "format", "surface", "period", "json", "quiet"],
         }
     }
 
@@ -119,7 +139,9 @@ impl Verb {
 pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Command, Failure> {
     let mut parser = lexopt::Parser::from_args(words);
     match parser.next().map_err(|error| lexical(&error, None))? {
-        None => Err(Failure::usage("a verb is missing: sum, hull, info or convert; see `splitstar --help`")),
+        None => Err(Failure::usage(
+            "a verb is missing: sum, hull, info, convert or arrange; see `splitstar --help`",
+        )),
         Some(Short('h') | Long("help")) => Ok(Command::Help(None)),
         Some(Short('V') | Long("version")) => Ok(Command::Version),
         Some(Value(word)) if word == "help" => match parser.next().map_err(|error| lexical(&error, None))? {
@@ -137,7 +159,7 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Command
 fn verb(word: &OsStr) -> Result<Verb, Failure> {
     Verb::from_name(word).ok_or_else(|| {
         Failure::usage(format!(
-            "unknown verb `{}`; the verbs are sum, hull, info and convert, see `splitstar --help`",
+            "unknown verb `{}`; the verbs are sum, hull, info, convert and arrange, see `splitstar --help`",
             word.to_string_lossy()
         ))
     })
@@ -159,6 +181,9 @@ fn parse_run(verb: Verb, parser: &mut lexopt::Parser) -> Result<Command, Failure
         method: Method::default(),
         motion: Motion::default(),
         triangulate: false,
+        surface: None,
+        period: None,
+        cells: None,
     };
     let mut given: Vec<&'static str> = Vec::new();
     while let Some(argument) = parser.next().map_err(|error| lexical(&error, Some(verb)))? {
@@ -200,6 +225,15 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
                 ));
             }
             run.output = Some(place(&word));
+        }
+        "format" if verb == Verb::Arrange => {
+            let word = value()?;
+            run.cells = Some(word.to_str().and_then(CellEncoding::from_name).ok_or_else(|| {
+                usage(
+                    verb,
+                    format!("unknown format `{}`: star or svg, each also with .gz", word.to_string_lossy()),
+                )
+            })?);
         }
         "format" => {
             let word = value()?;
@@ -248,6 +282,24 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
             run.motion.rotation = Some(Rotation::Quaternion(quaternion));
         }
         "translate" => run.motion.translate = Some(numbers(verb, "--translate", "X,Y,Z", &value()?)?),
+        "surface" => {
+            let word = value()?;
+            run.surface = match word.to_str() {
+                Some("plane") => Some(Surface::Plane),
+                Some("torus") => Some(Surface::Torus),
+                _ => {
+                    let word = word.to_string_lossy();
+                    return Err(usage(verb, format!("unknown surface `{word}`: plane or torus")));
+                }
+            };
+        }
+        "period" => {
+            let period: [Rational; 2] = numbers(verb, "--period", "P,Q", &value()?)?;
+            if period.iter().any(|period| period.sign() != Sign::Positive) {
+                return Err(usage(verb, "a period of `--period` is not larger than 0; give two that are"));
+            }
+            run.period = Some(period);
+        }
         "reflect" => run.motion.reflect = true,
         "triangulate" => run.triangulate = true,
         "hull" => run.hull = true,
@@ -266,7 +318,7 @@ fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
     let verb = run.verb;
     let (least, most) = match verb {
         Verb::Sum => (2, usize::MAX),
-        Verb::Hull => (1, usize::MAX),
+        Verb::Hull | Verb::Arrange => (1, usize::MAX),
         Verb::Info | Verb::Convert => (1, 1),
     };
     let count = run.operands.len();
@@ -280,14 +332,27 @@ fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
     if run.operands.iter().filter(|operand| **operand == Place::Standard).count() > 1 {
         return Err(usage(verb, "standard input `-` can be read once only"));
     }
-    if verb != Verb::Info && run.output.is_none() {
+    if !matches!(verb, Verb::Info | Verb::Arrange) && run.output.is_none() {
         return Err(usage(verb, "where to write is missing: -o OUT, or -o - for standard output"));
     }
-    if let (Some(output), None) = (&run.output, run.format) {
-        encoding_of_name(output).map_err(|sentence| usage(verb, sentence))?;
+    let named = match (&run.output, verb) {
+        (Some(output), Verb::Arrange) if run.cells.is_none() => cells_of_name(output).err(),
+        (Some(output), _) if run.format.is_none() && verb != Verb::Arrange => encoding_of_name(output).err(),
+        (None, Verb::Arrange) if run.cells.is_some() => {
+            Some("`--format` says what to write, and where is missing: -o OUT".into())
+        }
+        _ => None,
+    };
+    if let Some(sentence) = named {
+        return Err(usage(verb, sentence));
     }
     if run.json && run.output == Some(Place::Standard) {
-        return Err(usage(verb, "`-o -` and `--json` both want standard output; write the mesh to a file"));
+        let what = if verb == Verb::Arrange { "arrangement" } else { "mesh" };
+        let sentence = format!("`-o -` and `--json` both want standard output; write the {what} to a file");
+        return Err(usage(verb, sentence));
+    }
+    if run.surface == Some(Surface::Plane) && run.period.is_some() {
+        return Err(usage(verb, "`--surface plane` and `--period` exclude each other"));
     }
     if given.contains(&"rotate") && given.contains(&"quat") {
         return Err(usage(verb, "`--rotate` and `--quat` exclude each other"));
@@ -301,20 +366,12 @@ impl Run {
         let by_name = || encoding_of_name(self.output.as_ref()?).ok();
         self.format.or_else(by_name).unwrap_or(Encoding::from(Format::Off))
     }
-}
 
-/// The format by the ending of a name; OFF where a name has no ending.
-fn encoding_of_name(output: &Place) -> Result<Encoding, String> {
-    let Place::File(path) = output else { return Ok(Format::Off.into()) };
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let Some((_, ending)) = name.rsplit_once('.') else { return Ok(Format::Off.into()) };
-    Encoding::from_file_name(&name).ok_or_else(|| {
-        format!("`.{ending}` is the ending of no format; use another, or --format: {}", format_names())
-    })
-}
-
-fn format_names() -> String {
-    format!("{}, each also with .gz", Format::ALL.map(Format::name).join(", "))
+    /// What to write an arrangement as.
+    pub(crate) fn cell_encoding(&self) -> CellEncoding {
+        let by_name = || cells_of_name(self.output.as_ref()?).ok();
+        self.cells.or_else(by_name).unwrap_or(CellEncoding::DEFAULT)
+    }
 }
 
 fn place(word: &OsStr) -> Place {
@@ -359,118 +416,4 @@ fn shown(argument: &Arg<'_>) -> String {
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn words(line: &str) -> Result<Command, Failure> {
-        parse(line.split_whitespace().map(OsString::from))
-    }
-
-    fn run(line: &str) -> Run {
-        match words(line) {
-            Ok(Command::Run(run)) => *run,
-            other => panic!("{line}: {other:?}"),
-        }
-    }
-
-    #[test]
-    fn values_may_be_negative() {
-        let run = run("convert a.off -o b.off --scale -1/2 --rotate 0,-1,0,-90.5 --translate -1,2e-1,-3/4");
-        assert_eq!(run.motion.scale.unwrap().to_string(), "-1/2");
-        assert_eq!(run.motion.translate.unwrap().map(|c| c.to_string()), ["-1", "1/5", "-3/4"]);
-        let Some(Rotation::Axis { axis, degrees }) = run.motion.rotation else { panic!("no axis") };
-        assert_eq!(axis.map(|c| c.to_string()), ["0", "-1", "0"]);
-        assert_eq!(degrees.to_string(), "-181/2");
-    }
-
-    #[test]
-    fn options_stand_anywhere() {
-        let run = run("sum --json a.off --method=hull -o out.off - -q --hull -- -b.off");
-        assert_eq!(run.operands.len(), 3);
-        assert_eq!(run.operands[1], Place::Standard);
-        assert_eq!(run.operands[2], Place::File("-b.off".into()));
-        assert_eq!(run.output, Some(Place::File("out.off".into())));
-        assert_eq!(run.method, Method::Hull);
-        assert!(run.json && run.quiet && run.hull && !run.float);
-    }
-
-    #[test]
-    fn wrong_lines_say_why() {
-        let rows = [
-            ("", "a verb is missing: sum, hull, info or convert; see `splitstar --help`"),
-            (
-                "add a b",
-                "unknown verb `add`; the verbs are sum, hull, info and convert, see `splitstar --help`",
-            ),
-            ("--json sum", "`--json` before the verb; see `splitstar --help`"),
-            ("sum a -o c", "sum: two or more files to add expected, 1 given; see `splitstar sum --help`"),
-            ("hull -o c", "hull: a file to read expected, 0 given; see `splitstar hull --help`"),
-            ("info a b", "info: one file to read expected, 2 given; see `splitstar info --help`"),
-            ("info a -o b", "info: unknown option `-o`; see `splitstar info --help`"),
-            (
-                "sum a b",
-                "sum: where to write is missing: -o OUT, or -o - for standard output; see `splitstar sum --help`",
-            ),
-            ("sum a b -o c --rotate 1", "sum: unknown option `--rotate`; see `splitstar sum --help`"),
-            ("sum a b -o", "sum: missing argument for option '-o'; see `splitstar sum --help`"),
-            ("sum a b -o c --json --json", "sum: `--json` is given twice; see `splitstar sum --help`"),
-            ("sum a b -o c -o d", "sum: `-o` is given twice; see `splitstar sum --help`"),
-            ("sum - - -o c", "sum: standard input `-` can be read once only; see `splitstar sum --help`"),
-            (
-                "sum a b -o - --json",
-                "sum: `-o -` and `--json` both want standard output; write the mesh to a file; \
-                 see `splitstar sum --help`",
-            ),
-            (
-                "sum a b -o c --method fast",
-                "sum: unknown method `fast`: overlay or hull; see `splitstar sum --help`",
-            ),
-            (
-                "convert a -o b --scale 0",
-                "convert: `--scale 0` makes a point of everything; give another number; \
-                 see `splitstar convert --help`",
-            ),
-            (
-                "convert a -o b --translate 1,2",
-                "convert: `--translate 1,2`: 2 numbers given, X,Y,Z expected; see `splitstar convert --help`",
-            ),
-            (
-                "convert a -o b --translate 1,2,x",
-                "convert: `--translate 1,2,x`: `x` is not a number, X,Y,Z expected; \
-                 see `splitstar convert --help`",
-            ),
-            (
-                "convert a -o b --rotate 0,0,0,90",
-                "convert: the axis of `--rotate` is zero; give a direction; see `splitstar convert --help`",
-            ),
-            (
-                "convert a -o b --quat 0,0,0,0",
-                "convert: the quaternion of `--quat` is zero; 1,0,0,0 does not rotate; \
-                 see `splitstar convert --help`",
-            ),
-            (
-                "convert a -o b --quat 1,0,0,0 --rotate 0,0,1,90",
-                "convert: `--rotate` and `--quat` exclude each other; see `splitstar convert --help`",
-            ),
-            (
-                "sum a b -o c --json=yes",
-                "sum: unexpected argument for option '--json': \"yes\"; see `splitstar sum --help`",
-            ),
-        ];
-        for (line, message) in rows {
-            match words(line) {
-                Err(Failure::Usage(sentence)) => assert_eq!(sentence, message, "{line}"),
-                other => panic!("{line}: {other:?}"),
-            }
-        }
-    }
-
-    #[test]
-    fn help_and_version_win_over_the_rest() {
-        assert!(matches!(words("--help"), Ok(Command::Help(None))));
-        assert!(matches!(words("help"), Ok(Command::Help(None))));
-        assert!(matches!(words("help info"), Ok(Command::Help(Some(Verb::Info)))));
-        assert!(matches!(words("sum a -h"), Ok(Command::Help(Some(Verb::Sum)))));
-        assert!(matches!(words("-V"), Ok(Command::Version)));
-    }
-}
+mod tests;

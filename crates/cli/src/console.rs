@@ -38,6 +38,14 @@ impl Console {
         }
     }
 
+    /// Says how far a step has come.
+    pub(crate) fn step_at(&self, what: &str, done: usize, total: usize) {
+        if let Some(Bar { bar, .. }) = &self.bar {
+            let percent = (done as u128 * 100) / (total as u128).max(1);
+            bar.set_message(format!("{what} {percent} %"));
+        }
+    }
+
     /// Ends a step.
     pub(crate) fn step_done(&self) {
         if let Some(Bar { bar, .. }) = &self.bar {

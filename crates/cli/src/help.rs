@@ -11,6 +11,7 @@ pub(crate) fn text(verb: Option<Verb>) -> &'static str {
         Some(Verb::Hull) => HULL,
         Some(Verb::Info) => INFO,
         Some(Verb::Convert) => CONVERT,
+        Some(Verb::Arrange) => ARRANGE,
     }
 }
 
@@ -24,6 +25,7 @@ verbs:
   hull     the convex hull of the points of one or more files
   info     what a file is: format, counts, dimension, convexity, volume, bounds
   convert  another format; scale, reflect, rotate, move, triangulate; any mesh
+  arrange  the arrangement of curves in the plane or on a torus: counts, cells, a picture
 
   splitstar VERB --help tells all about a verb, with an example.
 
@@ -35,6 +37,7 @@ options of all verbs:
 
 Read: OFF, OBJ, STL, PLY, 3MF, VRML 2 and star, each perhaps packed with gzip; the content tells
 which. Written: these and glTF (.glb); the ending of the output's name tells which, or --format.
+`arrange` reads files of curves (text, WKT, GeoJSON) instead, and writes star and pictures (SVG).
 A decimal counts exactly as written, a binary float as the fraction it is; what a format must round
 is told. A file without facets is a point set and stands for its hull; a file whose only facet is a
 polygon, or has two vertices, is one of dimension 2 or 1.
@@ -147,4 +150,29 @@ reflects, they are turned round.
 example:
   splitstar convert cube.stl -o cube.3mf --unit millimeter
   splitstar convert cube.off -o turned.off --scale 1/2 --rotate 0,0,1,30 --translate -1,0,0.5
+";
+
+const ARRANGE: &str = "\
+splitstar arrange: the arrangement of curves in the plane or on a flat torus, exact
+
+usage: splitstar arrange CURVES [CURVES ...] [-o OUT.star|OUT.svg] [OPTIONS]
+
+  CURVES            files of curves, which are put together; `-` is standard input. One curve a
+                    line: segment x1 y1 x2 y2, ray x1 y1 x2 y2, line x1 y1 x2 y2,
+                    polyline x y x y ..., point x y, a geometry of WKT or an object of GeoJSON
+  -o, --output OUT  where to write the cells; `-` is standard output. Without it only their
+                    numbers are printed
+  --format FORMAT   star: all cells, exact; svg: a picture; each also with .gz behind it (svg.gz);
+                    without it the ending of OUT decides (star where it has none)
+  --surface SURFACE plane (default), or torus, which needs its periods
+  --period P,Q      the periods of a torus, for files without the record `period P Q`
+  --json            one JSON object on standard output: numbers of cells, times
+  -q, --quiet       no notes, no summary, no progress bar
+
+Points of the file are isolated vertices unless a curve runs through them. Joints of polylines are
+no vertices. The numbers with splits count the vertices, too, at which curves had to be cut.
+
+example:
+  splitstar arrange curves.txt
+  splitstar arrange curves.txt -o curves.svg
 ";

@@ -3,7 +3,7 @@
 use crate::args::Place;
 use crate::console::Console;
 use crate::failure::{Failure, part_name};
-use splitstar::formats::{self, Complex, ReadModel, Shape};
+use splitstar::formats::{self, Complex, ReadError, ReadModel, Shape};
 use splitstar::polytope::PolygonMesh;
 use std::fs::File;
 use std::io::{self, Read};
@@ -21,21 +21,15 @@ const START: u64 = 1 << 16;
 impl Operand {
     /// Reads and parses a file or standard input.
     pub(crate) fn read(place: &Place, console: &Console) -> Result<Self, Failure> {
-        let name = match place {
-            Place::Standard => "-".to_string(),
-            Place::File(path) => path.to_string_lossy().into_owned(),
-        };
-        console.step(&format!("reading {name}"));
-        let file_name = match place {
-            Place::Standard => None,
-            Place::File(path) => path.file_name().map(|name| name.to_string_lossy().into_owned()),
-        };
-        let bytes = match place {
-            Place::Standard => read_stream(&mut io::stdin().lock(), &name, None)?,
-            Place::File(path) => read_file(path, &name, file_name.as_deref())?,
-        };
-        let read =
-            formats::read(&bytes, file_name.as_deref()).map_err(|error| Failure::read(&name, &error))?;
+        let bytes = bytes(place, console, formats::check_start)?;
+        let name = place.shown();
+        let read = formats::read(&bytes, place.file_name().as_deref()).map_err(|error| {
+            if is_of_curves(&bytes) {
+                let sentence = format!("a file of curves, not a model; `splitstar arrange {name}` reads it");
+                return Failure::file(&name, None, sentence);
+            }
+            Failure::read(&name, &error)
+        })?;
         console.step_done();
         let name = part_name(&name, read.places.part.as_deref());
         Ok(Self { name, read })
@@ -72,6 +66,11 @@ impl Operand {
     }
 }
 
+/// Whether a file that is none of a model is one of curves, without a mistake.
+fn is_of_curves(bytes: &[u8]) -> bool {
+    formats::read_curves(bytes, None).is_ok_and(|file| !file.curves.is_empty() || file.period.is_some())
+}
+
 fn no_mesh(complex: &Complex, name: &str) -> String {
     let losses = complex.as_mesh().err().unwrap_or_default();
     let losses: Vec<String> = losses.iter().map(ToString::to_string).collect();
@@ -82,13 +81,27 @@ fn no_mesh(complex: &Complex, name: &str) -> String {
     )
 }
 
+/// Tells whether the first bytes of a stream, with the name of the file if it has one, may be those of a file.
+type Check = fn(&[u8], Option<&str>) -> Result<(), ReadError>;
+
+/// Begins the step of reading, and reads a file or standard input.
+pub(crate) fn bytes(place: &Place, console: &Console, check: Check) -> Result<Vec<u8>, Failure> {
+    let name = place.shown();
+    console.step(&format!("reading {name}"));
+    match place {
+        Place::Standard => read_stream(&mut io::stdin().lock(), place, check),
+        Place::File(path) => read_file(path, place, check),
+    }
+}
+
 /// A file whose size is known is read whole; a pipe or a device like a stream.
-fn read_file(path: &Path, name: &str, file_name: Option<&str>) -> Result<Vec<u8>, Failure> {
+fn read_file(path: &Path, place: &Place, check: Check) -> Result<Vec<u8>, Failure> {
+    let name = &place.shown();
     let failed = |error: io::Error| Failure::file(name, None, cannot_read(&error));
     let mut file = File::open(path).map_err(failed)?;
     let metadata = file.metadata().map_err(failed)?;
     if !metadata.is_file() {
-        return read_stream(&mut file, name, file_name);
+        return read_stream(&mut file, place, check);
     }
     // One byte more than there should be: the last read finds the end without making room.
     let mut bytes = Vec::with_capacity(usize::try_from(metadata.len()).unwrap_or(0).saturating_add(1));
@@ -97,12 +110,13 @@ fn read_file(path: &Path, name: &str, file_name: Option<&str>) -> Result<Vec<u8>
 }
 
 /// A stream may have no end: it is read on only if its start may be a file.
-fn read_stream(stream: &mut impl Read, name: &str, file_name: Option<&str>) -> Result<Vec<u8>, Failure> {
+fn read_stream(stream: &mut impl Read, place: &Place, check: Check) -> Result<Vec<u8>, Failure> {
+    let name = &place.shown();
     let failed = |error: io::Error| Failure::file(name, None, cannot_read(&error));
     let mut bytes = Vec::new();
     stream.by_ref().take(START).read_to_end(&mut bytes).map_err(failed)?;
     if bytes.len() as u64 == START {
-        formats::check_start(&bytes, file_name).map_err(|error| Failure::read(name, &error))?;
+        check(&bytes, place.file_name().as_deref()).map_err(|error| Failure::read(name, &error))?;
         stream.read_to_end(&mut bytes).map_err(failed)?;
     }
     Ok(bytes)

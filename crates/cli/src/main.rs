@@ -7,7 +7,9 @@
 
 mod approx;
 mod args;
+mod cells;
 mod console;
+mod curves;
 mod explain;
 mod failure;
 mod help;
@@ -45,6 +47,7 @@ fn run() -> Result<(), Failure> {
                 Verb::Hull => verbs::hull(&run),
                 Verb::Info => verbs::info(&run),
                 Verb::Convert => verbs::convert(&run),
+                Verb::Arrange => verbs::arrange(&run),
             }
         }
     }

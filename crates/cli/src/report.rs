@@ -182,9 +182,7 @@ impl Report {
 
     /// One line.
     pub(crate) fn json(&self) -> String {
-        let mut text = serde_json::to_string(self).expect("strings, numbers and lists make an object");
-        text.push('\n');
-        text
+        one_line_of_json(self)
     }
 
     pub(crate) fn table(&self) -> String {
@@ -232,6 +230,13 @@ impl Report {
         }
         text.lines().map(|line| format!("{}\n", line.trim_end())).collect()
     }
+}
+
+/// An object as a line.
+pub(crate) fn one_line_of_json(object: &impl Serialize) -> String {
+    let mut text = serde_json::to_string(object).expect("strings, numbers and lists make an object");
+    text.push('\n');
+    text
 }
 
 fn yes(fact: bool) -> &'static str {

@@ -1,10 +1,12 @@
 //! What the verbs do, one function each.
 
+mod arrange;
 mod convert;
 mod hull;
 mod info;
 mod sum;
 
+pub(crate) use arrange::arrange;
 pub(crate) use convert::convert;
 pub(crate) use hull::hull;
 pub(crate) use info::info;
@@ -69,10 +71,7 @@ impl<'a> Job<'a> {
         self.seconds.compute = self.clock.lap();
         self.console.step_done();
         self.console.step("writing");
-        let file = match self.output {
-            Place::Standard => "-".to_string(),
-            Place::File(path) => path.to_string_lossy().into_owned(),
-        };
+        let file = self.output.shown();
         let mut options = WriteOptions::new(self.run.encoding());
         (options.float, options.lossy) = (self.run.float, self.run.lossy);
         let written = formats::write(&outcome.model, &options).map_err(|error| {

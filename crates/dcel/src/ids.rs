@@ -7,6 +7,9 @@ macro_rules! id {
         pub struct $name(pub u32);
 
         impl $name {
+            /// No cell: the largest number, which names none.
+            pub const NONE: Self = Self(u32::MAX);
+
             /// The id of the cell at position `index`.
             ///
             /// # Panics
@@ -38,6 +41,27 @@ id!(
     FacetId
 );
 
+id!(
+    /// Names an edge: the halfedges `2 e` and `2 e + 1`.
+    EdgeId
+);
+id!(
+    /// Names a face of an arrangement.
+    FaceId
+);
+id!(
+    /// Names a connected component of the boundary (CCB) of a face.
+    CcbId
+);
+
+impl EdgeId {
+    /// The even halfedge, which runs from the min to the max vertex of the edge.
+    #[inline]
+    pub fn halfedge(self) -> HalfedgeId {
+        HalfedgeId(self.0 << 1)
+    }
+}
+
 impl HalfedgeId {
     /// The same edge in the other direction.
     #[inline]
@@ -49,5 +73,17 @@ impl HalfedgeId {
     #[inline]
     pub fn edge(self) -> usize {
         (self.0 >> 1) as usize
+    }
+
+    /// The edge, of which this is one of the two halves.
+    #[inline]
+    pub fn edge_id(self) -> EdgeId {
+        EdgeId(self.0 >> 1)
+    }
+
+    /// Whether this is the even halfedge of its edge, the one from the min to the max vertex.
+    #[inline]
+    pub fn is_even(self) -> bool {
+        self.0 & 1 == 0
     }
 }

@@ -156,7 +156,10 @@ impl Mesh {
 
 /// `first` and what follows it, until it comes again.
 #[inline]
-fn cycle(first: HalfedgeId, step: impl Fn(HalfedgeId) -> HalfedgeId) -> impl Iterator<Item = HalfedgeId> {
+pub(crate) fn cycle(
+    first: HalfedgeId,
+    step: impl Fn(HalfedgeId) -> HalfedgeId,
+) -> impl Iterator<Item = HalfedgeId> {
     let mut at = Some(first);
     std::iter::from_fn(move || {
         let h = at?;

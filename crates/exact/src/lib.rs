@@ -7,6 +7,7 @@
 //! | [`predicate`] | signs of integer polynomials, each written once, decided by a cascade of tiers |
 //! | [`tier`] | the tiers and their types; counters and forcing for tests |
 //! | [`filter`], [`fixed`], [`interval`] | the numbers of the tiers |
+//! | [`planar`] | exact points and lines of the plane: crossings, their order, sides |
 //! | [`Quaternion`], [`Affine3`], [`Linear3`] | exact rotations and affine maps |
 //!
 //! No decision is made with a tolerance, and nothing is rounded except by methods called `approx_*`. This crate knows no geometry
@@ -22,6 +23,7 @@ mod gcd;
 mod integer;
 pub mod interval;
 mod parse;
+pub mod planar;
 mod plane;
 mod point;
 pub mod predicate;

@@ -125,8 +125,17 @@ fn wrong(what: &str) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, what)
 }
 
-/// Packs a file: the same bytes for the same bytes.
-pub(crate) fn pack(bytes: &[u8]) -> Vec<u8> {
+/// Packs a file with gzip: the same bytes for the same bytes.
+///
+/// All readers of this crate take what is packed as it is.
+///
+/// ```
+/// use splitstar_formats::{pack_gzip, read_curves};
+/// let packed = pack_gzip(b"segment 0 0 1 1\n");
+/// assert_eq!(read_curves(&packed, None)?.curves.len(), 1);
+/// # Ok::<(), splitstar_formats::ReadError>(())
+/// ```
+pub fn pack(bytes: &[u8]) -> Vec<u8> {
     let header = GzBuilder::new().mtime(0).operating_system(UNKNOWN_SYSTEM);
     let mut packer = header.write(Vec::new(), Compression::default());
     packer.write_all(bytes).expect("writing to memory does not fail");

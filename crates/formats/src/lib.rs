@@ -1,4 +1,4 @@
-//! Readers and writers of meshes with exact coordinates.
+//! Readers and writers of meshes, curves and arrangements with exact coordinates.
 //!
 //! A decimal in a file is the rational number that is written there, not the nearest float: `0.1` is
 //! one tenth. Integers, decimals, exponents and fractions `p/q` may be mixed. A binary float is the dyadic rational
@@ -10,7 +10,12 @@
 //! | ground | `base` | models, places, errors, numbers, words, and the limit on memory |
 //! | cells | `complex` | what only the native format can say |
 //! | formats | `off`, `obj`, `stl`, `ply`, `threemf`, `gltf`, `vrml`, `star`, `gzip` | one folder each |
-//! | doors | `format`, `read`, `write` | which format it is, and the way there and back |
+//! | arrangements | `star` | the native format, kind `arrangement`: [`read_arrangement`], [`write_arrangement`] |
+//! | curves | `curves` | curves of the plane or of a torus, for arrangements: own text, WKT, GeoJSON; [`read_curves`], [`write_curves`] |
+//! | doors | `format`, `read`, `write` | which format a model has, and the way there and back |
+//!
+//! [`read`] takes files of models only: curves and arrangements have doors of their own. [`pack_gzip`] packs what any of the
+//! writers gives; all readers unpack by themselves.
 //!
 //! The crate takes and gives bytes; it opens no file.
 //!
@@ -27,6 +32,7 @@
 
 mod base;
 mod complex;
+mod curves;
 mod format;
 mod gltf;
 mod gzip;
@@ -46,6 +52,14 @@ pub use base::places::{Place, PlaceList, Places};
 pub use complex::{
     Cell, Complex, ComplexSummary, Edge, Facet, Loss, Malformed, Position, Rule, UnmarkedCells, Vertex,
 };
+pub use curves::{
+    CurveFile, CurveNote, CurvePoint, InputCurve, read_curves, write_curves, write_periodic_curves,
+};
 pub use format::{Encoding, Format};
+pub use gzip::pack as pack_gzip;
 pub use read::{check_start, read};
+pub use star::{
+    LinearArrangement, PolycurveArrangement, StarArrangement, StarText, TorusArrangement,
+    TorusPolycurveArrangement, read_arrangement, write_arrangement,
+};
 pub use write::{WriteError, WriteNote, WriteOptions, Written, objects_of_triangles, write};

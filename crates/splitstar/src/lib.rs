@@ -1,4 +1,5 @@
-//! Exact computational geometry: convex hulls and Minkowski sums of polytopes, with every decision exact.
+//! Exact computational geometry: convex hulls and Minkowski sums of polytopes, arrangements of curves, with every decision
+//! exact.
 //!
 //! This crate has no code of its own. It joins the crates of the project under one name, each as a module, and
 //! offers the names that most programs need in [`prelude`].
@@ -7,8 +8,20 @@
 //! |---|---|
 //! | [`exact`] | integers, rationals, vectors, points, planes, rotations, predicates |
 //! | [`dcel`] | halfedge connectivity: what is next to what |
+//! | [`arrangement`] | arrangements of curves in the plane and on a torus: traits, sweep, overlay |
 //! | [`polytope`] | polytopes and meshes, convex hulls, Minkowski sums |
-//! | [`formats`] | files of models (OFF, OBJ, STL, PLY, 3MF, VRML, glTF, star), read and written |
+//! | [`formats`] | files of models (OFF, OBJ, STL, PLY, 3MF, VRML, glTF, star), of curves (text, WKT, GeoJSON) and of arrangements (star), read and written |
+//! | [`render`] | pictures, as SVG |
+//!
+//! Each crate is also one of its own, and the examples in its documentation, and those of `docs/write-your-own-curve.md`, name it so:
+//! `splitstar_arrangement::`, `exact::` and so on. In a program that depends on this crate alone,
+//!
+//! ```toml
+//! [dependencies]
+//! splitstar = { path = "splitstar/crates/splitstar" }
+//! ```
+//!
+//! these are `splitstar::arrangement::`, `splitstar::exact::`, `splitstar::dcel::`, `splitstar::polytope::`, `splitstar::formats::` and `splitstar::render::`.
 //!
 //! # A convex hull
 //!
@@ -47,6 +60,29 @@
 //! # Ok::<(), splitstar::exact::ZeroAxis>(())
 //! ```
 //!
+//! # An arrangement
+//!
+//! Curves cut a surface into vertices, edges and faces. They may overlap, meet in one point, be vertical or unbounded.
+//!
+//! ```
+//! use splitstar::prelude::*;
+//!
+//! let [a, b, c, d] = [[0, 0], [4, 0], [0, 3], [1, 1]].map(Point2::from_i64);
+//! let curves = [Linear::line(&a, &b), Linear::line(&a, &c), Linear::segment(b, c), Linear::ray(d, &a)];
+//! let curves: Vec<Linear> = curves.into_iter().collect::<Option<_>>().expect("the points are different");
+//! let arrangement = Arrangement::of_curves(LinearTraits, UnboundedPlane, &curves);
+//!
+//! let counts = arrangement.counts();
+//! assert_eq!((counts.vertices, counts.edges, counts.faces), (4, 9, 6));
+//! // The ray begins in the triangle and leaves it by a corner.
+//! let bounded = arrangement.dcel().faces().filter(|&face| !arrangement.is_unbounded(face));
+//! assert_eq!(bounded.count(), 1);
+//!
+//! let picture = Scene::of_arrangement(&arrangement, None)?.to_svg(&SvgOptions::default());
+//! assert!(picture.starts_with("<svg "));
+//! # Ok::<(), splitstar::render::RenderError>(())
+//! ```
+//!
 //! # Reading and writing
 //!
 //! Libraries take and give bytes; where they come from is the business of the program. The format is found by the
@@ -77,7 +113,7 @@
 // The examples of the README are tests of this crate.
 #![cfg_attr(doctest, doc = include_str!("../../../README.md"))]
 
-pub use {dcel, exact, formats, polytope};
+pub use {arrangement, dcel, exact, formats, polytope, render};
 
 /// The names that most programs need: `use splitstar::prelude::*`.
 ///
@@ -89,10 +125,19 @@ pub use {dcel, exact, formats, polytope};
 /// assert!(triple.same_set(&segment.transformed(&Affine3::scaling(&Rational::from(3)))));
 /// ```
 pub mod prelude {
+    pub use arrangement::models::polycurve::PolycurveTraits;
+    pub use arrangement::models::{
+        Linear, LinearTraits, Segment, SegmentTraits, TorusPath, TorusSegmentTraits,
+    };
+    pub use arrangement::overlay::{Cell, overlay_all};
+    pub use arrangement::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
+    pub use arrangement::{Arrangement, Pieces, locate_all};
+    pub use exact::planar::{Line2, Point2};
     pub use exact::{Affine3, Integer, Plane, Point3, Quaternion, Rational, Sign, Vector3};
-    pub use formats::{self, Format, Model, Object, ReadError, Shape, Unit, WriteOptions};
+    pub use formats::{self, Format, InputCurve, Model, Object, ReadError, Shape, Unit, WriteOptions};
     pub use polytope::{
         Bounds, Counts, FacetId, Facets, HalfedgeId, Mended, Mending, MeshError, MeshSummary, Note,
         PolygonMesh, Polytope, VertexId, convex_hull, minkowski_sum,
     };
+    pub use render::{Scene, SvgOptions};
 }

@@ -6,6 +6,7 @@
 //! | `hulls` | random polytopes of every dimension, many of them degenerate |
 //! | `families` | prisms, bipyramids, geodesic spheres, zonotopes |
 //! | `meshes` | meshes as programs write them: floats, triangles, defects |
+//! | `curves` | the segments, lines and polylines of published measurements, number by number |
 //! | `motions` | exact rotations and other affine maps |
 //! | `models` | the model files of the repository and what is known of them |
 //! | `compare` | are two polytopes the same? |
@@ -13,6 +14,7 @@
 //! Used from `tests/` folders only: in a unit test it would bring a second copy of the crate's own types.
 
 mod compare;
+mod curves;
 mod families;
 mod hulls;
 mod meshes;
@@ -21,6 +23,10 @@ mod motions;
 mod random;
 
 pub use compare::{assert_same, difference, facet_planes, isomorphic};
+pub use curves::{
+    COORDINATE_BITS, Drawn, LinearKind, POLYLINE_VERTICES, lines, long_segments, mixed_curves, polylines,
+    query_points, short_segments,
+};
 pub use families::{
     antiprism, bipyramid, geodesic_sphere, prism, rational_circle, segment, spread_generators,
     zonotope_volume,

@@ -3,6 +3,7 @@
 //! | file | role |
 //! |---|---|
 //! | `growth` | geodesic spheres and bipyramids of growing size: time and peak memory per feature |
+//! | `arrangements` | short segments of growing number: time per event |
 //! | `widths` | a histogram of coordinate widths, and the speed at given widths |
 //!
 //! `bench repeat A B N` sums two files N times and does nothing else: what a profiler looks at. The difference of two N is the
@@ -10,6 +11,7 @@
 //!
 //! Every case runs in a process of its own (`bench --case A B`), so that its peak memory is its own.
 
+mod arrangements;
 mod growth;
 mod widths;
 
@@ -27,12 +29,13 @@ use crate::{Failure, shell};
 /// If an input cannot be written or summed.
 pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
     match words {
-        [] => growth::run().and_then(|()| widths::run()),
+        [] => growth::run().and_then(|()| arrangements::run()).and_then(|()| widths::run()),
         ["growth"] => growth::run(),
+        ["arrangements"] => arrangements::run(),
         ["widths"] => widths::run(),
         ["--case", a, b] => case(&[PathBuf::from(a), PathBuf::from(b)]),
         ["repeat", a, b, times] => repeat(&[PathBuf::from(a), PathBuf::from(b)], times.parse()?),
-        _ => Err("usage: cargo xtask bench [growth|widths|repeat A B N]".into()),
+        _ => Err("usage: cargo xtask bench [growth|arrangements|widths|repeat A B N]".into()),
     }
 }
 
@@ -90,7 +93,7 @@ fn measure(a: &Path, b: &Path) -> Result<Case, Failure> {
 }
 
 /// The largest resident set of this process so far.
-fn peak_kib() -> Result<u64, Failure> {
+pub(crate) fn peak_kib() -> Result<u64, Failure> {
     let status = fs::read_to_string("/proc/self/status")
         .map_err(|error| format!("peak memory needs Linux: {error}"))?;
     let line = status.lines().find_map(|line| line.strip_prefix("VmHWM:")).ok_or("no VmHWM in the status")?;

@@ -5,7 +5,9 @@
 //! | `pairs` | the pairs of operands, who runs on each, and what must be reached |
 //! | `setup` | builds the CGAL drivers, makes the Python environment, writes the inputs |
 //! | `report` | the table, the ratios, and the dated JSON |
+//! | `arrangements` | the same for arrangements: `cargo xtask peers arrangements` |
 
+pub(crate) mod arrangements;
 mod pairs;
 mod report;
 mod setup;
@@ -52,12 +54,15 @@ struct Options {
     out: Option<PathBuf>,
 }
 
-/// Runs all pairs, prints the table and writes the results.
+/// Runs all pairs, prints the table and writes the results; or does so for arrangements.
 ///
 /// # Errors
 /// If an option is wrong, or the library fails; with `--require` also if a peer is missing or fails, exact counts disagree, or a
 /// ratio is not reached.
 pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
+    if let ["arrangements", rest @ ..] = words {
+        return arrangements::run(rest);
+    }
     let options = options(words)?;
     let wanted: Vec<&'static Pair> = pairs::PAIRS
         .iter()
@@ -81,11 +86,18 @@ pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
     if options.only.is_none() || options.out.is_some() {
         println!("written: {}", report::write(&outcomes, options.out)?);
     }
-    let failures = report::failures(&outcomes, &tools);
-    for failure in &failures {
-        println!("{}: {failure}", if options.require { "failed" } else { "note" });
+    conclude(&report::failures(&outcomes, &tools), options.require)
+}
+
+/// Prints what does not hold.
+///
+/// # Errors
+/// If there is something, and all is required.
+fn conclude(failures: &[String], require: bool) -> Result<(), Failure> {
+    for failure in failures {
+        println!("{}: {failure}", if require { "failed" } else { "note" });
     }
-    if options.require && !failures.is_empty() {
+    if require && !failures.is_empty() {
         return Err(format!("{} requirements are not met", failures.len()).into());
     }
     Ok(())

@@ -76,14 +76,27 @@ pub(super) fn failures(outcomes: &[Outcome], tools: &Tools) -> Vec<String> {
 /// # Errors
 /// If the file cannot be written.
 pub(super) fn write(outcomes: &[Outcome], out: Option<PathBuf>) -> Result<String, Failure> {
+    write_dated("pairs", outcomes.iter().map(pair).collect(), "", out)
+}
+
+/// Writes rows under that key, with the date, the machine and the versions, to the given file or to one that is named by the
+/// date and the ending; returns its path as it is shown.
+///
+/// # Errors
+/// If the file cannot be written.
+pub(super) fn write_dated(
+    key: &str,
+    rows: Vec<Value>,
+    ending: &str,
+    out: Option<PathBuf>,
+) -> Result<String, Failure> {
     let date = shell::output(shell::program("date").arg("+%Y-%m-%d"))?.trim().to_owned();
-    let path = out.unwrap_or_else(|| PathBuf::from(format!("peers/results/{date}.json")));
+    let path = out.unwrap_or_else(|| PathBuf::from(format!("peers/results/{date}{ending}.json")));
     let full = shell::root().join(&path);
     if let Some(folder) = full.parent() {
         fs::create_dir_all(folder)?;
     }
-    let pairs: Vec<Value> = outcomes.iter().map(pair).collect();
-    let results = json!({ "date": date, "machine": machine(), "versions": versions(), "pairs": pairs });
+    let results = json!({ "date": date, "machine": machine(), "versions": versions(), key: rows });
     fs::write(full, format!("{results:#}\n"))?;
     Ok(path.display().to_string())
 }

@@ -7,6 +7,13 @@ use std::process::Command;
 use super::pairs::{Method, Pair};
 use crate::{Failure, python, shell};
 
+/// What the CGAL drivers need.
+pub(super) const CGAL_PACKAGES: &str =
+    "on Debian: apt-get install libcgal-dev libgmp-dev libmpfr-dev libboost-dev cmake g++";
+/// What the scripts in Python need.
+pub(super) const PYTHON_PACKAGES: &str =
+    "on Debian: apt-get install python3-venv, and access to a Python package index";
+
 /// The peers that can run on this machine, and why the others cannot.
 #[derive(Debug)]
 pub(super) struct Tools {
@@ -18,12 +25,12 @@ pub(super) struct Tools {
 impl Tools {
     /// One sentence for each group of peers that cannot run.
     pub(super) fn missing(&self) -> Vec<String> {
-        let cgal = self.cgal.as_ref().err().map(|why| {
-            format!("CGAL ({why}); on Debian: apt-get install libcgal-dev libgmp-dev libmpfr-dev libboost-dev cmake g++")
-        });
-        let python = self.python.as_ref().and_then(|python| python.as_ref().err()).map(|why| {
-            format!("Manifold and SciPy ({why}); on Debian: apt-get install python3-venv, and access to a Python package index")
-        });
+        let cgal = self.cgal.as_ref().err().map(|why| format!("CGAL ({why}); {CGAL_PACKAGES}"));
+        let python = self
+            .python
+            .as_ref()
+            .and_then(|python| python.as_ref().err())
+            .map(|why| format!("Manifold and SciPy ({why}); {PYTHON_PACKAGES}"));
         cgal.into_iter().chain(python).collect()
     }
 
@@ -48,17 +55,24 @@ impl Tools {
 pub(super) fn tools(pairs: &[&Pair]) -> Tools {
     let sentence = |failure: Failure| failure.to_string();
     let needs_python = pairs.iter().any(|pair| pair.methods.iter().any(|method| method.is_python()));
-    Tools { cgal: cgal().map_err(sentence), python: needs_python.then(|| python().map_err(sentence)) }
+    Tools {
+        cgal: cgal(&["sgm", "hull"]).map_err(sentence),
+        python: needs_python.then(|| python().map_err(sentence)),
+    }
 }
 
-/// Configures and builds with CMake, which sets the flags that CGAL's interval arithmetic needs.
-fn cgal() -> Result<PathBuf, Failure> {
+/// Configures and builds those drivers with CMake, which sets the flags that CGAL's interval arithmetic needs; returns their
+/// folder.
+///
+/// # Errors
+/// If CMake, a compiler or CGAL is missing.
+pub(super) fn cgal(drivers: &[&str]) -> Result<PathBuf, Failure> {
     let (source, build) = (shell::root().join("peers/cgal"), shell::root().join("peers/build"));
     println!("building the CGAL drivers ...");
     let mut configure = shell::program("cmake");
     configure.arg("-S").arg(source).arg("-B").arg(&build).arg("-DCMAKE_BUILD_TYPE=Release");
     shell::output(&mut configure)?;
-    shell::output(shell::program("cmake").arg("--build").arg(&build))?;
+    shell::output(shell::program("cmake").arg("--build").arg(&build).arg("--target").args(drivers))?;
     Ok(build)
 }
 

@@ -3,6 +3,7 @@
 // A test fails by panicking, in its helpers too.
 #![allow(clippy::unwrap_used)]
 
+mod arrange;
 mod convert;
 mod damaged;
 mod defects;
@@ -11,6 +12,7 @@ mod formats;
 mod invalid;
 #[cfg(target_os = "linux")]
 mod memory;
+mod pictures;
 mod results;
 mod streams;
 mod usage;

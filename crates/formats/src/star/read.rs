@@ -1,6 +1,7 @@
 //! The star format, read.
 
 use super::cells::{Cells, Finished, Refusal};
+use super::first::{StarKind, read_first_line};
 use super::line::{Line, Lines};
 use crate::base::budget::Budget;
 use crate::base::error::{At, Count, Fault, Located};
@@ -16,7 +17,7 @@ use exact::{Point3, Vector3};
 /// Reads a file of version 1. A mesh is given if it says all that the file says.
 pub(crate) fn read(bytes: &[u8], budget: &mut Budget) -> Result<ReadModel, Located> {
     let mut lines = Lines::new(bytes);
-    read_first_line(&mut lines)?;
+    read_first_line(&mut lines, StarKind::Complex)?;
     let mut reader = Reader::new(budget);
     loop {
         let Some((word, mut line)) = lines.next_record() else {
@@ -39,32 +40,6 @@ const KEYWORD: &str =
     "`vertex`, `direction`, `volume`, `object`, `facet`, `edge`, `unit`, `end` or a comment";
 const VERTEX: &str = "the number of a vertex or direction declared above";
 const VOLUME: &str = "the number of a volume: 0, 1 or one declared above";
-
-fn read_first_line(lines: &mut Lines<'_>) -> Result<(), Located> {
-    const FIRST: &str = "the first line `star 1 complex`";
-    let (word, mut line) = lines.next_record().ok_or(Fault::Empty)?;
-    if word.bytes != b"star" {
-        return Err(word.unexpected(FIRST));
-    }
-    let version = line.expect("the version, `1`,")?;
-    if version.bytes != b"1" {
-        if !version.bytes.iter().all(u8::is_ascii_digit) {
-            return Err(version.unexpected("the version, `1`,"));
-        }
-        return Err(version.fault(|version| Fault::Unsupported {
-            what: format!("star version {version}"),
-            instead: "this program knows version 1 only: update it".into(),
-        }));
-    }
-    let kind = line.expect("the kind, `complex`,")?;
-    if kind.bytes != b"complex" {
-        return Err(kind.fault(|kind| Fault::Unsupported {
-            what: format!("star kind `{kind}`"),
-            instead: "this program knows the kind `complex` only: update it, or correct the kind".into(),
-        }));
-    }
-    line.end()
-}
 
 /// A name twice, as the list of objects may grow to twice its size. The list of numbers of vertices may too.
 const OF_OBJECT: u64 = 2 * (size_of::<NewObject>() + size_of::<Object>()) as u64;

@@ -310,7 +310,7 @@ fn bad_files_say_the_line_and_what_to_do() {
 
 #[test]
 fn other_versions_and_kinds_are_refused() {
-    let rows: [(&[u8], &str); 9] = [
+    let rows: [(&[u8], &str); 10] = [
         (b"star", "line 1: the line ends where the version, `1`, was expected; complete it"),
         (b"star one", "line 1: `one` where the version, `1`, was expected; correct it"),
         (b"star 1", "line 1: the line ends where the kind, `complex`, was expected; complete it"),
@@ -321,7 +321,11 @@ fn other_versions_and_kinds_are_refused() {
         ),
         (
             b"star 1 arrangement",
-            "line 1: star kind `arrangement` cannot be read; this program knows the kind `complex` only: update it, or correct the kind",
+            "line 1: an arrangement (star kind `arrangement`) as a mesh cannot be read; it has curves of a surface and no facets: give a mesh",
+        ),
+        (
+            b"star 1 map",
+            "line 1: star kind `map` cannot be read; this program knows the kinds `complex` and `arrangement` only: update it, or correct the kind",
         ),
         (b"end", "line 1: `end` where the first line `star 1 complex` was expected; correct it"),
         (b" # only\n", "the file is empty; a model was expected"),

@@ -1,0 +1,95 @@
+//! The order of halfedges around a vertex, as the geometry has it.
+
+use super::Arrangement;
+use crate::topology::{Site, SiteAt, Topology};
+use crate::traits::{Along, CurveEnd, Location, UMonotoneTraits};
+use dcel::{HalfedgeId, VertexId};
+use std::cmp::Ordering;
+
+impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
+    /// The end of the edge of a halfedge at which the halfedge begins.
+    pub(super) fn end_of(h: HalfedgeId) -> CurveEnd {
+        if h.is_even() { CurveEnd::Min } else { CurveEnd::Max }
+    }
+
+    /// The place in the parameter space where a halfedge begins.
+    ///
+    /// On an identification that is where its support ends, if it ends there, and else the low side, because only a curve along a side
+    /// has interior points on it.
+    pub(super) fn start_site(&self, h: HalfedgeId) -> Site<'_, G> {
+        let (curve, end) = (self.curve_of(h.edge_id()), Self::end_of(h));
+        let end_location = || self.topology.end_location(&self.traits, curve, end);
+        let Some(point) = self.point(self.dcel.source(h)) else {
+            return Site { location: end_location(), at: SiteAt::End(curve, end) };
+        };
+        let low = self.topology.point_location(&self.traits, point);
+        let ends_here = || {
+            let end_point = self.traits.end_point(curve, end);
+            end_point.is_some_and(|end_point| self.traits.is_same_point(end_point, point))
+        };
+        let location = if low.is_interior() || !ends_here() { low } else { end_location() };
+        Site { location, at: SiteAt::Point(point) }
+    }
+
+    /// Compares two halfedges that leave a vertex in counterclockwise order.
+    ///
+    /// The order begins after the direction straight down, at a vertex that stands for sides of the parameter space at the lower
+    /// right corner. `Equal` means that the halfedges overlap.
+    pub(super) fn compare_around(&self, a: HalfedgeId, b: HalfedgeId) -> Ordering {
+        let sites = [a, b].map(|h| self.start_site(h));
+        let [sector_a, sector_b] =
+            [0, 1].map(|i| sector([a, b][i], sites[i].location, sites[i].point().is_some()));
+        sector_a.cmp(&sector_b).then_with(|| match sites[0].point() {
+            None => {
+                let order = self.topology.compare_sites(&self.traits, &sites[0], &sites[1]);
+                // Along the sides counterclockwise, so around the vertex clockwise.
+                if matches!(sites[0].location, Location { u: Along::High, .. })
+                    || sites[0].location == (Location { u: Along::Inside, v: Along::Low })
+                {
+                    order.reverse()
+                } else {
+                    order
+                }
+            }
+            Some(point) if a.is_even() => {
+                let [a, b] = [a, b].map(|h| self.curve_of(h.edge_id()));
+                self.traits.compare_v_at_u_right(a, b, point)
+            }
+            Some(point) if G::MEET_ONCE => {
+                let [a, b] = [a, b].map(|h| self.curve_of(h.edge_id()));
+                self.traits.compare_v_at_u_left(b, a, point)
+            }
+            // Supports may meet to the left of here; edges do not.
+            Some(point) => {
+                let [a, b] = [a, b].map(|h| self.make_edge_curve(h.edge_id()));
+                self.traits.compare_v_at_u_left(&b, &a, point)
+            }
+        })
+    }
+
+    /// The halfedges that leave a vertex, in the order of [`Arrangement::compare_around`].
+    pub(super) fn sorted_around(&self, v: VertexId) -> Vec<HalfedgeId> {
+        let mut around: Vec<HalfedgeId> = self.dcel.around(v).collect();
+        around.sort_by(|&a, &b| self.compare_around(a, b));
+        around
+    }
+}
+
+/// The directions of one kind, counterclockwise.
+fn sector(h: HalfedgeId, location: Location, is_point: bool) -> u32 {
+    if !is_point {
+        return match location {
+            Location { u: Along::High, .. } => 3,
+            Location { u: Along::Low, .. } => 1,
+            Location { v: Along::High, .. } => 2,
+            _ => 0,
+        };
+    }
+    match (h.is_even(), location) {
+        (true, Location { v: Along::High, .. }) => 0,
+        (true, _) => 1,
+        (false, Location { u: Along::Low, .. }) => 4,
+        (false, Location { v: Along::High, .. }) => 3,
+        (false, _) => 2,
+    }
+}

@@ -1,0 +1,174 @@
+//! The arrangement: cells with their points and curves.
+//!
+//! | layer | files | role |
+//! |---|---|---|
+//! | the object | `mod`, `counts`, `view` | cells, what lies where, how many there are, what a user sees |
+//! | checking | `validity`, `isomorphism`, `around` | every violation; are two the same; the geometric order around a vertex |
+//! | making it | `build`, `assemble`, `parts` | cells from a sweep; an arrangement from cells and supports, or from anybody's |
+//! | order | `order` | one order of all cells |
+
+mod around;
+pub(crate) mod assemble;
+pub(crate) mod build;
+mod counts;
+mod isomorphism;
+mod order;
+mod parts;
+mod validity;
+mod view;
+
+pub use counts::Counts;
+pub use isomorphism::Difference;
+pub use order::CellOrder;
+pub use parts::Parts;
+pub use validity::Violation;
+pub use view::{UserEdgeId, UserView};
+
+use crate::topology::Topology;
+use crate::traits::{BasicTraits, UMonotoneTraits};
+use dcel::{Dcel, EdgeId, FaceId, HalfedgeId, VertexId};
+
+/// Names a curve that an arrangement stores: the support of edges.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash, Debug)]
+pub struct CurveId(pub u32);
+
+impl CurveId {
+    /// The position of the curve.
+    #[inline]
+    pub fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// A surface cut into vertices, edges and faces by curves.
+///
+/// An edge is a part of a u-monotone curve, its *support*, between two vertices; halfedge `2 e` runs from the min to the max vertex
+/// of edge `e`, in lexicographic order. Which cell is next to which, [`Arrangement::dcel`] knows.
+///
+/// Vertices without a point stand for sides of the parameter space, as the one vertex at infinity of the unbounded plane.
+///
+/// Curves are stored u-monotone, and [`Arrangement::counts`] does not show it: vertices that are there only for that reason are
+/// marked, and taken out of the count. See `docs/arrangement.md`.
+///
+/// # References
+/// Thesis, section 2.3.
+#[derive(Clone, Debug)]
+pub struct Arrangement<G: BasicTraits, T> {
+    pub(crate) traits: G,
+    pub(crate) topology: T,
+    pub(crate) dcel: Dcel,
+    pub(crate) points: Vec<Option<G::Point>>,
+    pub(crate) is_artificial: Vec<bool>,
+    pub(crate) curves: Vec<G::UMonotoneCurve>,
+    /// For each edge, its curve.
+    pub(crate) supports: Vec<u32>,
+}
+
+impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
+    /// The surface without curves: one face.
+    pub fn new(traits: G, topology: T) -> Self {
+        let built = build::Builder::<G::Point>::new(&topology, &[]).finish(&topology);
+        Self {
+            traits,
+            topology,
+            dcel: built.dcel,
+            points: built.points,
+            is_artificial: built.is_artificial,
+            curves: Vec::new(),
+            supports: Vec::new(),
+        }
+    }
+
+    /// The geometry traits.
+    pub fn traits(&self) -> &G {
+        &self.traits
+    }
+
+    /// The surface.
+    pub fn topology(&self) -> &T {
+        &self.topology
+    }
+
+    /// The cells and their incidences.
+    #[inline]
+    pub fn dcel(&self) -> &Dcel {
+        &self.dcel
+    }
+
+    /// Gives the point of a vertex; `None` if it stands for a side of the parameter space.
+    ///
+    /// # Panics
+    /// If the arrangement never had the vertex.
+    #[inline]
+    pub fn point(&self, v: VertexId) -> Option<&G::Point> {
+        self.points[v.index()].as_ref()
+    }
+
+    /// Tells whether a vertex stands for a side of the parameter space, and not for a point.
+    #[inline]
+    pub fn is_at_infinity(&self, v: VertexId) -> bool {
+        self.points[v.index()].is_none()
+    }
+
+    /// The vertices that are points, isolated ones included.
+    pub fn vertices(&self) -> impl Iterator<Item = VertexId> + '_ {
+        self.dcel.vertices().filter(|&v| !self.is_at_infinity(v))
+    }
+
+    /// Tells whether a vertex is there only because a curve had to be cut: at a u-extremal point, or where it crosses an
+    /// identification. The user's view does not show it.
+    pub fn is_artificial(&self, v: VertexId) -> bool {
+        self.is_artificial[v.index()] && self.dcel.degree(v) == 2
+    }
+
+    /// The curve of which an edge is a part.
+    #[inline]
+    pub fn support(&self, e: EdgeId) -> CurveId {
+        CurveId(self.supports[e.index()])
+    }
+
+    /// A curve that the arrangement stores.
+    #[inline]
+    pub fn curve(&self, curve: CurveId) -> &G::UMonotoneCurve {
+        &self.curves[curve.index()]
+    }
+
+    /// The curve of which an edge is a part: [`Arrangement::support`] and [`Arrangement::curve`] in one.
+    #[inline]
+    pub fn curve_of(&self, e: EdgeId) -> &G::UMonotoneCurve {
+        self.curve(self.support(e))
+    }
+
+    /// The curves that the arrangement stores.
+    pub fn curves(&self) -> &[G::UMonotoneCurve] {
+        &self.curves
+    }
+
+    /// Makes the curve of an edge: the part of its support between its vertices.
+    ///
+    /// # Complexity
+    /// That of cutting a curve twice.
+    pub fn make_edge_curve(&self, e: EdgeId) -> G::UMonotoneCurve
+    where
+        G: UMonotoneTraits,
+    {
+        let [min, max] = self.dcel.ends(e);
+        self.traits.trim(self.curve_of(e), self.point(min), self.point(max))
+    }
+
+    /// The face that has no point of a curve below or to the left of it: the unbounded face of a bounded arrangement.
+    ///
+    /// In an unbounded arrangement it is the face that is left of and below all others, on a torus the one at the lower left
+    /// corner of the rectangle.
+    pub fn corner_face(&self) -> FaceId {
+        FaceId(0)
+    }
+
+    /// Tells whether a face of an arrangement in the plane is unbounded: it has no outer CCB, or one through infinity.
+    pub fn is_unbounded(&self, f: FaceId) -> bool {
+        let through_infinity = |h: HalfedgeId| self.is_at_infinity(self.dcel.source(h));
+        self.topology.genus() == 0
+            && (self.dcel.outer_ccbs(f).next().is_none()
+                || self.dcel.outer_ccbs(f).any(|ccb| self.dcel.ccb_cycle(ccb).any(through_infinity)))
+    }
+}

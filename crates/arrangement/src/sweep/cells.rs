@@ -1,0 +1,174 @@
+//! The cells of an arrangement as input of a sweep.
+
+use super::input::{InputCurve, SweepInput};
+use crate::arrangement::Arrangement;
+use crate::topology::{Site, SiteAt, Topology};
+use crate::traits::{Along, CurveEnd, Location, UMonotoneTraits};
+use dcel::{EdgeId, HalfedgeId, VertexId};
+
+/// Which cells of an arrangement the sites and curves of an input are.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct CellNumbers {
+    /// The first site, and the vertex of each site from there on.
+    pub(crate) first_site: usize,
+    pub(crate) vertices: Vec<VertexId>,
+    /// The first curve, and the edge of each curve from there on.
+    pub(crate) first_curve: usize,
+    pub(crate) edges: Vec<EdgeId>,
+}
+
+impl<'a, G: UMonotoneTraits> SweepInput<'a, G> {
+    /// Appends the vertices and edges of an arrangement. Their interiors are disjoint: so they are one group.
+    pub(crate) fn push_arrangement<T: Topology<G>>(
+        &mut self,
+        arrangement: &'a Arrangement<G, T>,
+        group: u32,
+    ) -> CellNumbers {
+        Pusher {
+            arrangement,
+            group,
+            numbers: CellNumbers {
+                first_site: self.site_count(),
+                first_curve: self.curve_count(),
+                ..CellNumbers::default()
+            },
+            sites_of: vec![[u32::MAX; 2]; arrangement.dcel().edge_bound()],
+            curve_of: vec![u32::MAX; arrangement.dcel().edge_bound()],
+            input: self,
+        }
+        .push()
+    }
+}
+
+struct Pusher<'i, 'a, G: UMonotoneTraits, T> {
+    input: &'i mut SweepInput<'a, G>,
+    arrangement: &'a Arrangement<G, T>,
+    group: u32,
+    numbers: CellNumbers,
+    /// For each edge, the sites of its ends.
+    sites_of: Vec<[u32; 2]>,
+    curve_of: Vec<u32>,
+}
+
+impl<'a, G: UMonotoneTraits, T: Topology<G>> Pusher<'_, 'a, G, T> {
+    fn push(mut self) -> CellNumbers {
+        let (arrangement, dcel) = (self.arrangement, self.arrangement.dcel());
+        let mut starts = Vec::new();
+        for v in dcel.vertices() {
+            starts.clear();
+            match arrangement.point(v) {
+                None => self.push_ends_at_infinity(v),
+                Some(point) => {
+                    let site = Site::of_point(arrangement.topology(), arrangement.traits(), point);
+                    if site.location.is_interior() {
+                        self.starts_upwards(v, point, &mut starts);
+                        let number = self.push_site(v, site, &starts);
+                        for h in dcel.around(v).filter(|h| !h.is_even()) {
+                            self.sites_of[h.edge()][1] = number;
+                        }
+                    } else {
+                        self.push_vertex_on_side(v, point, site.location);
+                    }
+                }
+            }
+        }
+        for e in dcel.edges() {
+            self.input.end_curve(self.curve_of[e.index()], self.sites_of[e.index()][1]);
+        }
+        self.numbers
+    }
+
+    /// Appends a site, and the edges that begin there, from bottom to top.
+    fn push_site(&mut self, v: VertexId, site: Site<'a, G>, starts: &[HalfedgeId]) -> u32 {
+        let number = self.input.push_site(site);
+        self.numbers.vertices.push(v);
+        for h in starts {
+            let edge = h.edge_id();
+            self.curve_of[edge.index()] = self.input.curve_count() as u32;
+            self.sites_of[edge.index()][0] = number;
+            self.numbers.edges.push(edge);
+            let curve = self.arrangement.curve_of(edge);
+            self.input.push_curve(InputCurve {
+                curve,
+                ends: [number, u32::MAX],
+                group: self.group,
+                next_end: u32::MAX,
+            });
+        }
+        number
+    }
+
+    /// The halfedges that leave a vertex to the right, from bottom to top.
+    fn starts_upwards(&self, v: VertexId, point: &G::Point, starts: &mut Vec<HalfedgeId>) {
+        let dcel = self.arrangement.dcel();
+        starts.extend(dcel.around(v).filter(|h| h.is_even()));
+        let has_left = starts.len() < dcel.degree(v);
+        let lowest = if has_left {
+            // The first one whose clockwise neighbour leaves to the left.
+            starts.iter().position(|&h| !dcel.next(h.twin()).is_even())
+        } else {
+            let compare = |&a: &usize, &b: &usize| {
+                let curve = |i: usize| self.arrangement.curve_of(starts[i].edge_id());
+                self.arrangement.traits().compare_v_at_u_right(curve(a), curve(b), point)
+            };
+            if starts.len() > 1 { (0..starts.len()).min_by(compare) } else { None }
+        };
+        starts.rotate_left(lowest.unwrap_or(0));
+    }
+
+    /// A vertex on an identification has a site wherever one of its edges ends.
+    fn push_vertex_on_side(&mut self, v: VertexId, point: &'a G::Point, location: Location) {
+        let dcel = self.arrangement.dcel();
+        let mut ends: Vec<(Location, HalfedgeId)> =
+            dcel.around(v).map(|h| (self.end_location(h, point, location), h)).collect();
+        // Several times the same site would do no harm, but its edges must be together.
+        ends.sort_by_key(|&(location, h)| (location, !h.is_even()));
+        if ends.is_empty() {
+            self.push_site(v, Site { location, at: SiteAt::Point(point) }, &[]);
+        }
+        for group in ends.chunk_by(|a, b| a.0 == b.0) {
+            let mut starts: Vec<HalfedgeId> = group.iter().map(|&(_, h)| h).filter(|h| h.is_even()).collect();
+            starts.sort_by(|a, b| {
+                let [a, b] = [a, b].map(|h| self.arrangement.curve_of(h.edge_id()));
+                self.arrangement.traits().compare_v_at_u_right(a, b, point)
+            });
+            let number = self.push_site(v, Site { location: group[0].0, at: SiteAt::Point(point) }, &starts);
+            for (_, h) in group.iter().filter(|(_, h)| !h.is_even()) {
+                self.sites_of[h.edge()][1] = number;
+            }
+        }
+    }
+
+    /// Where the end of an edge at a vertex on a side lies: where its support ends, if it ends there, else on the low side, because
+    /// only a curve along a side has interior points on it.
+    fn end_location(&self, h: HalfedgeId, point: &G::Point, low: Location) -> Location {
+        let (arrangement, curve) = (self.arrangement, self.arrangement.curve_of(h.edge_id()));
+        let end = if h.is_even() { CurveEnd::Min } else { CurveEnd::Max };
+        let ends_here = arrangement
+            .traits()
+            .end_point(curve, end)
+            .is_some_and(|end_point| arrangement.traits().is_same_point(end_point, point));
+        if ends_here { arrangement.topology().end_location(arrangement.traits(), curve, end) } else { low }
+    }
+
+    /// Every edge that comes from infinity has a site of its own.
+    fn push_ends_at_infinity(&mut self, v: VertexId) {
+        let arrangement = self.arrangement;
+        for h in arrangement.dcel().around(v) {
+            let end = if h.is_even() { CurveEnd::Min } else { CurveEnd::Max };
+            let curve = arrangement.curve_of(h.edge_id());
+            let location = arrangement.topology().end_location(arrangement.traits(), curve, end);
+            let site = Site { location, at: SiteAt::End(curve, end) };
+            debug_assert!(
+                location.u != Along::Inside || location.v != Along::Inside,
+                "an end without a point"
+            );
+            if h.is_even() {
+                self.push_site(v, site, &[h]);
+            } else {
+                let number = self.push_site(v, site, &[]);
+                self.sites_of[h.edge()][1] = number;
+            }
+        }
+    }
+}

@@ -1,0 +1,74 @@
+//! Where something happens in a sweep: a point, or the end of a curve that has none.
+
+use crate::topology::Topology;
+use crate::traits::{BasicTraits, CurveEnd, Location};
+
+/// What a site is.
+#[derive(Debug)]
+pub enum SiteAt<'a, G: BasicTraits> {
+    /// A point.
+    Point(&'a G::Point),
+    /// The end of a curve on an open side.
+    End(&'a G::UMonotoneCurve, CurveEnd),
+}
+
+impl<G: BasicTraits> Clone for SiteAt<'_, G> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<G: BasicTraits> Copy for SiteAt<'_, G> {}
+
+/// A place in the closed parameter space. One point of the surface has several if sides are identified.
+#[derive(Debug)]
+pub struct Site<'a, G: BasicTraits> {
+    /// On which side it is, if on any.
+    pub location: Location,
+    /// What is there.
+    pub at: SiteAt<'a, G>,
+}
+
+impl<G: BasicTraits> Clone for Site<'_, G> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<G: BasicTraits> Copy for Site<'_, G> {}
+
+impl<'a, G: BasicTraits> Site<'a, G> {
+    /// A point in the interior.
+    #[inline]
+    pub fn interior(point: &'a G::Point) -> Self {
+        Self { location: Location::INTERIOR, at: SiteAt::Point(point) }
+    }
+
+    /// A point, wherever it is.
+    pub fn of_point<T: Topology<G>>(topology: &T, traits: &G, point: &'a G::Point) -> Self {
+        Self { location: topology.point_location(traits, point), at: SiteAt::Point(point) }
+    }
+
+    /// The end of a curve.
+    pub fn of_end<T: Topology<G>>(
+        topology: &T,
+        traits: &G,
+        curve: &'a G::UMonotoneCurve,
+        end: CurveEnd,
+    ) -> Self {
+        let at = match traits.end_point(curve, end) {
+            Some(point) => SiteAt::Point(point),
+            None => SiteAt::End(curve, end),
+        };
+        Self { location: topology.end_location(traits, curve, end), at }
+    }
+
+    /// The point, if there is one.
+    #[inline]
+    pub fn point(&self) -> Option<&'a G::Point> {
+        match self.at {
+            SiteAt::Point(point) => Some(point),
+            SiteAt::End(..) => None,
+        }
+    }
+}

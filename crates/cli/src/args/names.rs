@@ -1,0 +1,82 @@
+//! Places and their names, and what is written by the ending of a name.
+
+use super::Place;
+use splitstar::formats::{Encoding, Format};
+
+/// What an arrangement is written as, and whether gzip is put around it.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) struct CellEncoding {
+    pub(crate) format: CellFormat,
+    pub(crate) gzip: bool,
+}
+
+/// What an arrangement is written as.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum CellFormat {
+    /// The native text format.
+    Star,
+    /// A picture.
+    Svg,
+}
+
+impl CellEncoding {
+    /// Without an ending: star, not packed.
+    pub(super) const DEFAULT: Self = Self { format: CellFormat::Star, gzip: false };
+
+    /// What `star`, `svg`, `star.gz` and `svg.gz` stand for.
+    pub(super) fn from_name(name: &str) -> Option<Self> {
+        let (name, gzip) = name.strip_suffix(".gz").map_or((name, false), |name| (name, true));
+        let format = match name {
+            "star" => CellFormat::Star,
+            "svg" => CellFormat::Svg,
+            _ => return None,
+        };
+        Some(Self { format, gzip })
+    }
+}
+
+impl Place {
+    /// The name that messages give it.
+    pub(crate) fn shown(&self) -> String {
+        match self {
+            Self::Standard => "-".to_string(),
+            Self::File(path) => path.to_string_lossy().into_owned(),
+        }
+    }
+
+    /// The name of a file in its folder.
+    pub(crate) fn file_name(&self) -> Option<String> {
+        match self {
+            Self::Standard => None,
+            Self::File(path) => path.file_name().map(|name| name.to_string_lossy().into_owned()),
+        }
+    }
+}
+
+/// What an arrangement is written as by the ending of a name; star where a name has no ending.
+pub(super) fn cells_of_name(output: &Place) -> Result<CellEncoding, String> {
+    let name = output.file_name().unwrap_or_default();
+    let Some((stem, last)) = name.rsplit_once('.') else { return Ok(CellEncoding::DEFAULT) };
+    let ending = match stem.rsplit_once('.') {
+        Some((_, before)) if last.eq_ignore_ascii_case("gz") => &name[name.len() - before.len() - 3..],
+        _ => last,
+    };
+    CellEncoding::from_name(&ending.to_ascii_lowercase()).ok_or_else(|| {
+        format!(
+            "an arrangement is not written as `.{ending}`; use .star or .svg, each also with .gz, or --format: star or svg"
+        )
+    })
+}
+
+/// The format by the ending of a name; OFF where a name has no ending.
+pub(super) fn encoding_of_name(output: &Place) -> Result<Encoding, String> {
+    let name = output.file_name().unwrap_or_default();
+    let Some((_, ending)) = name.rsplit_once('.') else { return Ok(Format::Off.into()) };
+    Encoding::from_file_name(&name).ok_or_else(|| {
+        format!("`.{ending}` is the ending of no format; use another, or --format: {}", format_names())
+    })
+}
+
+pub(super) fn format_names() -> String {
+    format!("{}, each also with .gz", Format::ALL.map(Format::name).join(", "))
+}

@@ -1,0 +1,32 @@
+//! Curves of the plane or of a flat torus, as text: what an arrangement is made of.
+//!
+//! | files | role |
+//! |---|---|
+//! | `model` | the curves, the notes |
+//! | `lexer` | tokens, in one line or across lines |
+//! | `maker` | points and curves within the budget; repeated points |
+//! | `read` | the door, and the lines of our own grammar |
+//! | `wkt`, `geojson` | the two other grammars that may stand in a line |
+//! | `write` | the way out |
+//!
+//! The grammar is in `docs/curves.md`. A file has one record after the other, each of which begins a line; geometries of
+//! WKT may go on in the next line while a parenthesis is open, and so may GeoJSON objects. So a file that is one GeoJSON
+//! object is no case of its own.
+//!
+//! GeoJSON is read by a small reader of our own and not by `serde_json`: coordinates have to be exact, errors and curves
+//! need their lines, and what is skipped must take no memory.
+
+mod geojson;
+mod lexer;
+mod maker;
+mod model;
+mod read;
+mod wkt;
+mod write;
+
+pub use model::{CurveFile, CurveNote, CurvePoint, InputCurve};
+pub use read::read_curves;
+pub use write::{write_curves, write_periodic_curves};
+
+/// How deep brackets of WKT and GeoJSON may be nested.
+const DEPTH: u32 = 64;

@@ -1,0 +1,100 @@
+//! The curves of a file.
+
+use crate::base::places::PlaceList;
+use exact::Rational;
+use exact::planar::Point2;
+use std::fmt;
+
+/// A point of the plane, as arrangements take it.
+pub type CurvePoint = Point2;
+
+/// A curve as it is given to an arrangement.
+///
+/// What [`read_curves`](crate::read_curves) gives is not degenerate: points that follow each other are different.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum InputCurve {
+    /// The segment between two points. On a torus the straight path from the first to the second in the universal
+    /// cover, so that its ends may be the same point there.
+    Segment([CurvePoint; 2]),
+    /// The ray from the first point through the second.
+    Ray([CurvePoint; 2]),
+    /// The line through two points.
+    Line([CurvePoint; 2]),
+    /// Segments one after the other, through two points or more.
+    Polyline(Vec<CurvePoint>),
+    /// An isolated point.
+    Point(CurvePoint),
+}
+
+/// What a file of curves says.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct CurveFile {
+    /// The curves, in the order of the file.
+    pub curves: Vec<InputCurve>,
+    /// The line of each curve. A geometry that has several curves gives to each the line where its coordinates begin.
+    pub places: PlaceList,
+    /// The periods of the torus in u and v, both positive, if the file is one of a torus.
+    pub period: Option<[Rational; 2]>,
+    /// What of the file is not in the curves.
+    pub notes: Vec<CurveNote>,
+}
+
+/// What was changed or left out, because it means nothing for curves of the plane.
+#[derive(Clone, PartialEq, Eq, Debug)]
+#[non_exhaustive]
+pub enum CurveNote {
+    /// Altitudes and measures of WKT and GeoJSON were left out.
+    CoordinatesDropped {
+        /// The number of points that had any.
+        points: usize,
+    },
+    /// Points of a polyline that are the same as the point before them were left out.
+    RepeatedPoints {
+        /// The number of points left out.
+        points: usize,
+    },
+    /// Polylines all of whose points are the same became points.
+    Collapsed {
+        /// The number of such polylines.
+        polylines: usize,
+    },
+    /// Geometries of WKT and GeoJSON had no coordinates.
+    EmptyGeometries {
+        /// The number of such geometries.
+        geometries: usize,
+    },
+    /// The file has no curve.
+    NoCurves,
+}
+
+impl fmt::Display for CurveNote {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::CoordinatesDropped { points: 1 } => {
+                f.write_str("1 point has more than two coordinates: the others are left out")
+            }
+            Self::CoordinatesDropped { points } => {
+                write!(f, "{points} points have more than two coordinates: the others are left out")
+            }
+            Self::RepeatedPoints { points: 1 } => {
+                f.write_str("1 point of a polyline is the same as the one before it: left out")
+            }
+            Self::RepeatedPoints { points } => {
+                write!(f, "{points} points of polylines are the same as the ones before them: left out")
+            }
+            Self::Collapsed { polylines: 1 } => {
+                f.write_str("1 polyline has only one point, several times: it is read as a point")
+            }
+            Self::Collapsed { polylines } => {
+                write!(f, "{polylines} polylines have only one point, several times: they are read as points")
+            }
+            Self::EmptyGeometries { geometries: 1 } => f.write_str("1 geometry is empty: it has no curve"),
+            Self::EmptyGeometries { geometries } => {
+                write!(f, "{geometries} geometries are empty: they have no curve")
+            }
+            Self::NoCurves => f.write_str("the file has no curve"),
+        }
+    }
+}

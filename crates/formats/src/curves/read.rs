@@ -1,0 +1,195 @@
+//! The door to files of curves, and the lines of our own grammar.
+
+use super::geojson;
+use super::lexer::Lexer;
+use super::maker::{self, Chain, Maker};
+use super::model::{CurveFile, CurvePoint, InputCurve};
+use super::wkt;
+use crate::base::budget::Budget;
+use crate::base::error::{Fault, Located, ReadError};
+use crate::base::places::Place;
+use crate::base::scan::Token;
+use crate::format::{Content, Encoding, Format};
+use crate::gzip;
+use exact::{Rational, Sign};
+
+/// Reads a file of curves: one a line, in our own words, as a geometry of WKT or as an object of GeoJSON.
+///
+/// Coordinates are exact, and nothing is allocated by what a file promises, as for [`read`](crate::read). The name of
+/// the file only helps the message when the file is of another kind. Gzip may be around the file.
+///
+/// A point of a polyline that repeats the one before it is left out, and a polyline of which one point is left becomes
+/// that point, both with a note. A file without curves is none that is wrong; it has a note too.
+///
+/// # Errors
+/// The first thing wrong with the file, with its line: text that is not in the grammar (`docs/curves.md`), segments, rays
+/// and lines whose two points are the same, rings that are not closed, rays and lines on a torus. A file that would take
+/// more than 64 times its length, as it is stored, and 64 MiB, is refused.
+///
+/// # Complexity
+/// O(n) for n bytes, unpacked, as long as coordinates have few digits. In GeoJSON, coordinates that come before their
+/// `type` are passed over first.
+///
+/// ```
+/// use exact::planar::Point2;
+/// use splitstar_formats::{InputCurve, read_curves};
+///
+/// let text = b"# three curves\nsegment 0 0 1/3 0.1\nLINESTRING (0 0, 1 0, 1 1)\n\
+///     {\"type\": \"Point\", \"coordinates\": [0.25, 1e1]}\n";
+/// let file = read_curves(text, None)?;
+/// let point = InputCurve::Point(Point2::from_rationals(&["1/4".parse()?, "10".parse()?]));
+/// assert_eq!((file.curves.len(), &file.curves[2]), (3, &point));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read_curves(bytes: &[u8], file_name: Option<&str>) -> Result<CurveFile, ReadError> {
+    read_packed(bytes, file_name).map_err(|Located { place, fault }| ReadError {
+        format: None,
+        part: None,
+        place,
+        fault,
+    })
+}
+
+fn read_packed(bytes: &[u8], file_name: Option<&str>) -> Result<CurveFile, Located> {
+    let mut budget = Budget::of_file(bytes.len());
+    if !is_gzip(bytes) {
+        return read_unpacked(bytes, file_name, &mut budget);
+    }
+    let unpacked = gzip::unpack(bytes, &mut budget)?;
+    if is_gzip(&unpacked) {
+        return Err(unsupported("gzip within gzip", "unpack it once").into());
+    }
+    read_unpacked(&unpacked, file_name, &mut budget)
+}
+
+fn is_gzip(bytes: &[u8]) -> bool {
+    Format::of_content(bytes, bytes.len()) == Content::Gzip
+}
+
+fn unsupported(what: &str, instead: &str) -> Fault {
+    Fault::Unsupported { what: what.into(), instead: instead.into() }
+}
+
+fn read_unpacked(bytes: &[u8], file_name: Option<&str>, budget: &mut Budget) -> Result<CurveFile, Located> {
+    if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
+        return Err(unsupported("a text in UTF-16", "write it in UTF-8").into());
+    }
+    let mut maker = Maker::new(budget);
+    let mut lexer = Lexer::new(bytes);
+    let mut first = true;
+    while let Some(word) = lexer.token() {
+        match record(word, &mut lexer, &mut maker, first)? {
+            Known::Yes => lexer.end_line()?,
+            Known::No => return Err(unknown(word, first.then_some(bytes), file_name)),
+        }
+        first = false;
+    }
+    Ok(maker.finish())
+}
+
+/// Whether a record begins with a word that is known.
+enum Known {
+    Yes,
+    No,
+}
+
+/// Reads a record whose first word is read.
+fn record<'a>(
+    word: Token<'a>,
+    lexer: &mut Lexer<'a>,
+    maker: &mut Maker<'_>,
+    first: bool,
+) -> Result<Known, Located> {
+    let is = |keyword: &str| word.bytes.eq_ignore_ascii_case(keyword.as_bytes());
+    if is("segment") {
+        let ends = two_points(lexer, maker, "a segment of two points (`segment x1 y1 x2 y2`)")?;
+        maker.straight(InputCurve::Segment(ends), word.line)?;
+    } else if is("polyline") {
+        polyline(lexer, maker)?;
+    } else if is("ray") {
+        let ends = two_points(lexer, maker, "a ray of two points (`ray x1 y1 x2 y2`)")?;
+        maker.straight(InputCurve::Ray(ends), word.line)?;
+    } else if is("line") {
+        let ends = two_points(lexer, maker, "a line of two points (`line x1 y1 x2 y2`)")?;
+        maker.straight(InputCurve::Line(ends), word.line)?;
+    } else if is("point") && !wkt::follows(lexer) {
+        let point = point(lexer, maker, "a point of two coordinates (`point x y`)")?;
+        maker.point(point, word.line)?;
+    } else if is("period") {
+        if !first {
+            let why = "`period` behind another record; make it the first one, and the only `period`".into();
+            return Err(Fault::Malformed { why }.at(Place::Line(word.line)));
+        }
+        let period = [period(lexer)?, period(lexer)?];
+        maker.set_period(period);
+    } else if word.bytes == b"{" {
+        geojson::read(word, lexer, maker)?;
+    } else if wkt::begins_with(word) {
+        wkt::read(word, lexer, maker)?;
+    } else {
+        return Ok(Known::No);
+    }
+    Ok(Known::Yes)
+}
+
+#[inline]
+fn point(lexer: &mut Lexer<'_>, maker: &mut Maker<'_>, expected: &str) -> Result<CurvePoint, Located> {
+    let x = lexer.expect_in_line(expected)?;
+    let y = lexer.expect_in_line(expected)?;
+    maker.point_of(x, y)
+}
+
+#[inline]
+fn two_points(
+    lexer: &mut Lexer<'_>,
+    maker: &mut Maker<'_>,
+    expected: &str,
+) -> Result<[CurvePoint; 2], Located> {
+    Ok([point(lexer, maker, expected)?, point(lexer, maker, expected)?])
+}
+
+fn polyline(lexer: &mut Lexer<'_>, maker: &mut Maker<'_>) -> Result<(), Located> {
+    const TWO: &str = "a polyline of two points or more (`polyline x1 y1 x2 y2 ...`)";
+    maker.begin_chain();
+    for _ in 0..2 {
+        let point = point(lexer, maker, TWO)?;
+        maker.extend_chain(point, lexer.line())?;
+    }
+    while let Some(x) = lexer.token_in_line() {
+        let y = lexer.expect_in_line("the second coordinate of the last point")?;
+        let point = maker.point_of(x, y)?;
+        maker.extend_chain(point, x.line)?;
+    }
+    maker.end_chain(Chain::Open)
+}
+
+fn period(lexer: &mut Lexer<'_>) -> Result<Rational, Located> {
+    let token = lexer.expect_in_line("a pair of periods (`period P Q`)")?;
+    let period = maker::number(token)?.into_rational();
+    if period.sign() == Sign::Positive { Ok(period) } else { Err(token.unexpected("a period larger than 0")) }
+}
+
+/// No record begins with this word. If it is the first of the file, this may be a file of another kind, of which the
+/// bytes are given.
+#[cold]
+fn unknown(word: Token<'_>, file: Option<&[u8]>, file_name: Option<&str>) -> Located {
+    let content = file.map_or(Content::Unknown, |bytes| Format::of_content(bytes, bytes.len()));
+    let by_name = file_name.and_then(Encoding::from_file_name).map(|encoding| encoding.format);
+    let format = match content {
+        Content::Known(format) | Content::Unlikely(format) => Some(format),
+        Content::Gzip | Content::Xml | Content::Json | Content::Unknown => by_name.filter(|_| file.is_some()),
+    };
+    let place = Place::Line(word.line);
+    if let Some(format) = format {
+        let why =
+            format!("this is a model ({format}), not a file of curves; give curves as text, WKT or GeoJSON");
+        return Fault::Malformed { why }.at(place);
+    }
+    if content == Content::Xml {
+        return unsupported("XML (SVG, GML, KML)", "give curves as text, WKT or GeoJSON").at(place);
+    }
+    if word.bytes == b"[" {
+        return word.unexpected("a GeoJSON object, which begins with `{`,");
+    }
+    word.unexpected("`segment`, `ray`, `line`, `polyline`, `point`, a geometry of WKT or a GeoJSON object")
+}

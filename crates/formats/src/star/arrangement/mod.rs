@@ -1,0 +1,28 @@
+//! Arrangements as text: the kind `arrangement` of the native format.
+//!
+//! | file | role |
+//! |---|---|
+//! | `model` | the arrangements that a file can say |
+//! | `family` | what differs from one family of curves to the other |
+//! | `write` | the one text of an arrangement |
+//! | `read` | the door, and the grammar of records |
+//! | `numbers` | numbers that are declared, and their lines |
+//! | `curves` | the records of curves |
+//! | `cells` | vertices, edges and boundaries, and whether they fit together |
+//! | `finish` | an arrangement of them, or what is wrong with it, in numbers of the file |
+
+mod cells;
+mod curves;
+mod family;
+mod finish;
+mod model;
+mod numbers;
+mod read;
+mod write;
+
+pub use family::StarText;
+pub use model::{
+    LinearArrangement, PolycurveArrangement, StarArrangement, TorusArrangement, TorusPolycurveArrangement,
+};
+pub use read::read_arrangement;
+pub use write::write_arrangement;

@@ -1,0 +1,76 @@
+//! The arrangements that a file can say.
+
+use arrangement::models::polycurve::PolycurveTraits;
+use arrangement::models::{LinearTraits, TorusSegmentTraits};
+use arrangement::topology::{FlatTorus, UnboundedPlane};
+use arrangement::{Arrangement, Counts};
+
+/// An arrangement of segments, rays and lines in the plane.
+pub type LinearArrangement = Arrangement<LinearTraits, UnboundedPlane>;
+/// An arrangement of chains of segments, rays and lines in the plane, polylines among them.
+pub type PolycurveArrangement = Arrangement<PolycurveTraits<LinearTraits>, UnboundedPlane>;
+/// An arrangement of straight paths on a flat torus.
+pub type TorusArrangement = Arrangement<TorusSegmentTraits, FlatTorus>;
+
+/// An arrangement of chains of straight paths on a flat torus.
+pub type TorusPolycurveArrangement = Arrangement<PolycurveTraits<TorusSegmentTraits>, FlatTorus>;
+
+/// An arrangement of any family of curves that a star file can hold.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub enum StarArrangement {
+    /// Segments, rays and lines in the plane.
+    Linear(LinearArrangement),
+    /// Chains of segments, rays and lines in the plane.
+    Polycurves(PolycurveArrangement),
+    /// Straight paths on a flat torus.
+    Torus(TorusArrangement),
+    /// Chains of straight paths on a flat torus.
+    TorusPolycurves(TorusPolycurveArrangement),
+}
+
+impl StarArrangement {
+    /// The numbers of cells as a user sees them: see [`Arrangement::counts`].
+    pub fn counts(&self) -> Counts {
+        match self {
+            Self::Linear(arrangement) => arrangement.counts(),
+            Self::Polycurves(arrangement) => arrangement.counts(),
+            Self::Torus(arrangement) => arrangement.counts(),
+            Self::TorusPolycurves(arrangement) => arrangement.counts(),
+        }
+    }
+
+    /// The numbers of cells as they are stored: see [`Arrangement::counts_with_splits`].
+    pub fn counts_with_splits(&self) -> Counts {
+        match self {
+            Self::Linear(arrangement) => arrangement.counts_with_splits(),
+            Self::Polycurves(arrangement) => arrangement.counts_with_splits(),
+            Self::Torus(arrangement) => arrangement.counts_with_splits(),
+            Self::TorusPolycurves(arrangement) => arrangement.counts_with_splits(),
+        }
+    }
+}
+
+impl From<LinearArrangement> for StarArrangement {
+    fn from(arrangement: LinearArrangement) -> Self {
+        Self::Linear(arrangement)
+    }
+}
+
+impl From<PolycurveArrangement> for StarArrangement {
+    fn from(arrangement: PolycurveArrangement) -> Self {
+        Self::Polycurves(arrangement)
+    }
+}
+
+impl From<TorusArrangement> for StarArrangement {
+    fn from(arrangement: TorusArrangement) -> Self {
+        Self::Torus(arrangement)
+    }
+}
+
+impl From<TorusPolycurveArrangement> for StarArrangement {
+    fn from(arrangement: TorusPolycurveArrangement) -> Self {
+        Self::TorusPolycurves(arrangement)
+    }
+}

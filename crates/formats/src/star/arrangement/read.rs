@@ -1,0 +1,270 @@
+//! The door, and the grammar of records.
+
+use super::cells::{self, Cells};
+use super::curves::{Curves, make_point, malformed, read_pair, read_torus_point};
+use super::finish::finish;
+use super::model::StarArrangement;
+use super::numbers::{Numbers, OF_NUMBER};
+use crate::base::budget::Budget;
+use crate::base::error::{At, Fault, Located, ReadError};
+use crate::base::places::Place;
+use crate::base::scan::{Scanner, Token};
+use crate::format::{Content, Encoding, Format};
+use crate::gzip;
+use crate::star::first::{StarKind, read_first_line};
+use crate::star::line::{Line, Lines};
+use dcel::{CcbKind, HalfedgeId, VertexId};
+
+/// Reads an arrangement from a file of the native format, kind `arrangement`: see `docs/star.md`. Gzip may be around it.
+///
+/// Nothing is believed: that edges lie on their curves, follow one another around vertices and meet nowhere else, and that everything
+/// is in the face in which it is said to be, is checked. What can be read is an arrangement as if it had been made of curves.
+///
+/// # Errors
+/// The first thing wrong with the file, with its line. A file that would take more than 64 times its length, as it is stored, and
+/// 64 MiB, is refused.
+///
+/// # Complexity
+/// O(n log n) for n bytes, unpacked, as long as coordinates have few digits.
+///
+/// ```
+/// use splitstar_formats::{StarArrangement, read_arrangement};
+///
+/// let text = b"star 1 arrangement\nsurface plane\ncurve 0 line 0 0 1 1\nedge 0 infinity infinity curve 0\n\
+///     face 0\nouter -0\nface 1\nouter +0\nend\n";
+/// let arrangement = read_arrangement(text, None)?;
+/// assert!(matches!(arrangement, StarArrangement::Linear(_)));
+/// assert_eq!(arrangement.counts().faces, 2);
+///
+/// let twice = b"star 1 arrangement\nsurface plane\ncurve 0 line 0 0 1 1\nedge 0 infinity infinity curve 0\n\
+///     face 0\nouter -0\nouter +0\nend\n";
+/// assert!(read_arrangement(twice, None).is_err());
+/// # Ok::<(), splitstar_formats::ReadError>(())
+/// ```
+pub fn read_arrangement(bytes: &[u8], file_name: Option<&str>) -> Result<StarArrangement, ReadError> {
+    read_packed(bytes, file_name).map_err(|error| error.of_format(Format::Star))
+}
+
+fn read_packed(bytes: &[u8], file_name: Option<&str>) -> Result<StarArrangement, Located> {
+    let mut budget = Budget::of_file(bytes.len());
+    if Format::of_content(bytes, bytes.len()) != Content::Gzip {
+        return read_unpacked(bytes, file_name, &mut budget);
+    }
+    let unpacked = gzip::unpack(bytes, &mut budget)?;
+    if Format::of_content(&unpacked, unpacked.len()) == Content::Gzip {
+        return Err(unsupported("gzip within gzip", "unpack it once").into());
+    }
+    read_unpacked(&unpacked, file_name, &mut budget)
+}
+
+fn unsupported(what: &str, instead: &str) -> Fault {
+    Fault::Unsupported { what: what.into(), instead: instead.into() }
+}
+
+fn read_unpacked(
+    bytes: &[u8],
+    file_name: Option<&str>,
+    budget: &mut Budget,
+) -> Result<StarArrangement, Located> {
+    if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
+        return Err(unsupported("a text in UTF-16", "write it in UTF-8").into());
+    }
+    if let Some(word) = Scanner::new(bytes).token().filter(|word| word.bytes != b"star") {
+        return Err(other_format(word, bytes, file_name));
+    }
+    read_text(bytes, budget)
+}
+
+/// The file begins with another word than `star`.
+#[cold]
+fn other_format(word: Token<'_>, bytes: &[u8], file_name: Option<&str>) -> Located {
+    const STAR: &str = "give a star file, which begins with `star 1 arrangement`";
+    let place = Place::Line(word.line);
+    let by_name = file_name.and_then(Encoding::from_file_name).map(|encoding| encoding.format);
+    let format = match Format::of_content(bytes, bytes.len()) {
+        Content::Known(format) => Some(format),
+        Content::Unlikely(format) => Some(by_name.unwrap_or(format)),
+        Content::Xml => return unsupported("XML as an arrangement", STAR).at(place),
+        Content::Json => return unsupported("JSON as an arrangement", STAR).at(place),
+        Content::Gzip | Content::Unknown => by_name,
+    };
+    match format.filter(|&format| format != Format::Star) {
+        Some(format) => unsupported(&format!("a file of {format} as an arrangement"), STAR).at(place),
+        None => word.unexpected("the first line `star 1 arrangement`"),
+    }
+}
+
+const RECORD: &str = "a record or `end` was expected";
+const KEYWORD: &str = "`curve`, `vertex`, `edge`, `face`, `outer`, `inner`, `isolated`, `end` or a comment";
+const VERTEX: &str = "the number of a vertex declared above";
+const HALFEDGE: &str = "an edge declared above with its sign, as `+0` or `-0`,";
+
+fn read_text(bytes: &[u8], budget: &mut Budget) -> Result<StarArrangement, Located> {
+    let mut lines = Lines::new(bytes);
+    read_first_line(&mut lines, StarKind::Arrangement)?;
+    let surface = lines.next_record();
+    let Some((word, mut line)) = surface else {
+        return Err(Fault::Truncated { expected: "`surface` was expected".into() }.at(lines.last()));
+    };
+    if word.bytes != b"surface" {
+        return Err(word.unexpected("the second line `surface plane` or `surface torus P Q`"));
+    }
+    let curves = Curves::of_surface(&mut line, budget)?;
+    let has_infinity = curves.traits_of_torus().is_none();
+    let cells = Cells::new(has_infinity);
+    let mut reader = Reader { budget, curve_numbers: Numbers::default(), curves, cells, cycle: Vec::new() };
+    let end = loop {
+        let Some((word, mut line)) = lines.next_record() else {
+            return Err(Fault::Truncated { expected: RECORD.into() }.at(lines.last()));
+        };
+        if word.bytes == b"end" {
+            line.end()?;
+            break word.line;
+        }
+        reader.record(word, &mut line)?;
+    };
+    if let Some((word, _)) = lines.next_record() {
+        return Err(word.fault(|token| Fault::AfterEnd { token, end: "the arrangement".into() }));
+    }
+    finish(reader.curves, &reader.curve_numbers, reader.cells, end)
+}
+
+struct Reader<'b> {
+    budget: &'b mut Budget,
+    curve_numbers: Numbers,
+    curves: Curves,
+    cells: Cells,
+    /// The boundary that is being read.
+    cycle: Vec<HalfedgeId>,
+}
+
+impl Reader<'_> {
+    fn record(&mut self, keyword: Token<'_>, line: &mut Line<'_>) -> Result<(), Located> {
+        match keyword.bytes {
+            b"curve" => self.curve(line),
+            b"vertex" => self.vertex(line),
+            b"edge" => self.edge(line),
+            b"face" => self.face(line),
+            b"outer" => self.boundary(CcbKind::Outer, keyword, line),
+            b"inner" => self.boundary(CcbKind::Inner, keyword, line),
+            b"isolated" => self.isolated(keyword, line),
+            b"surface" => {
+                Err(keyword.fault(|_| Fault::Malformed { why: "a second surface; remove one".into() }))
+            }
+            _ => Err(keyword.unexpected(KEYWORD)),
+        }
+    }
+
+    fn charge(&mut self, bytes: u64, line: &Line<'_>) -> Result<(), Located> {
+        self.budget.charge(bytes).at_line(line.number)
+    }
+
+    fn curve(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
+        self.charge(OF_NUMBER, line)?;
+        self.curve_numbers.declare(line.expect("the number of the curve")?, "curve")?;
+        self.curves.read(line, self.budget)
+    }
+
+    fn vertex(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
+        self.charge(OF_NUMBER + cells::OF_VERTEX, line)?;
+        self.cells.vertices.declare(line.expect("the number of the vertex")?, "vertex")?;
+        let point = match self.curves.traits_of_torus() {
+            Some(traits) => read_torus_point(traits, line, self.budget)?,
+            None => make_point(read_pair(line, self.budget, "one of two coordinates")?),
+        };
+        let is_artificial = match line.word() {
+            None => false,
+            Some(word) if word.bytes == b"artificial" => true,
+            Some(word) => return Err(word.unexpected("`artificial` or the end of the line")),
+        };
+        line.end()?;
+        self.cells.push_vertex(point, is_artificial);
+        Ok(())
+    }
+
+    fn edge(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
+        const CURVE: &str = "the number of a curve declared above";
+        self.charge(OF_NUMBER + cells::OF_EDGE + self.curves.bytes_of_part(), line)?;
+        self.cells.edges.declare(line.expect("the number of the edge")?, "edge")?;
+        let ends = [self.end(line)?, self.end(line)?];
+        let word = line.expect("`curve`")?;
+        if word.bytes != b"curve" {
+            return Err(word.unexpected("`curve`"));
+        }
+        let curve = line.expect(CURVE)?;
+        let support = self.curve_numbers.find(curve.bytes).ok_or_else(|| curve.unexpected(CURVE))?;
+        line.end()?;
+        self.cells.push_edge(ends, support);
+        Ok(())
+    }
+
+    /// An end of an edge.
+    fn end(&self, line: &mut Line<'_>) -> Result<VertexId, Located> {
+        let has_infinity = self.cells.has_infinity();
+        let expected =
+            if has_infinity { "the number of a vertex declared above, or `infinity`," } else { VERTEX };
+        let token = line.expect(expected)?;
+        if has_infinity && token.bytes == b"infinity" {
+            return Ok(VertexId(0));
+        }
+        self.cells.vertex(token.bytes).ok_or_else(|| token.unexpected(expected))
+    }
+
+    fn face(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
+        self.charge(OF_NUMBER + cells::OF_FACE, line)?;
+        self.cells.faces.declare(line.expect("the number of the face")?, "face")?;
+        line.end()
+    }
+
+    /// There must be a face to which the record belongs.
+    fn check_face(&self, keyword: Token<'_>) -> Result<(), Located> {
+        if self.cells.faces.len() > 0 {
+            return Ok(());
+        }
+        let why =
+            format!("`{}` before the first face; write `face` and its number before it", keyword.shown());
+        Err(malformed(keyword.line, why))
+    }
+
+    fn boundary(&mut self, kind: CcbKind, keyword: Token<'_>, line: &mut Line<'_>) -> Result<(), Located> {
+        self.check_face(keyword)?;
+        self.charge(cells::OF_CCB, line)?;
+        self.cycle.clear();
+        let mut word = line.expect(HALFEDGE)?;
+        loop {
+            let halfedge = self.halfedge(word)?;
+            self.cycle.push(halfedge);
+            match line.word() {
+                Some(next) => word = next,
+                None => break,
+            }
+            // A boundary has each halfedge once.
+            if self.cycle.len() > self.cells.halfedges.len() {
+                return Err(malformed(
+                    line.number,
+                    "the boundary has more members than there are; each stands once".into(),
+                ));
+            }
+        }
+        self.cells.push_ccb(kind, &self.cycle, line.number)
+    }
+
+    fn halfedge(&self, token: Token<'_>) -> Result<HalfedgeId, Located> {
+        let found = match token.bytes {
+            [b'+', digits @ ..] => self.cells.edges.find(digits).map(|edge| HalfedgeId(2 * edge)),
+            [b'-', digits @ ..] => self.cells.edges.find(digits).map(|edge| HalfedgeId(2 * edge + 1)),
+            _ => None,
+        };
+        found.ok_or_else(|| token.unexpected(HALFEDGE))
+    }
+
+    fn isolated(&mut self, keyword: Token<'_>, line: &mut Line<'_>) -> Result<(), Located> {
+        self.check_face(keyword)?;
+        self.charge(cells::OF_ISOLATED, line)?;
+        let token = line.expect(VERTEX)?;
+        let vertex = self.cells.vertex(token.bytes).ok_or_else(|| token.unexpected(VERTEX))?;
+        line.end()?;
+        self.cells.push_isolated(vertex, line.number);
+        Ok(())
+    }
+}

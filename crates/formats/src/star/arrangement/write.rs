@@ -1,0 +1,117 @@
+//! An arrangement, written: one text for each.
+
+use super::family::{Family, StarText, put_point};
+use crate::base::numerals::put;
+use arrangement::{Arrangement, CellOrder};
+use dcel::{CcbKind, HalfedgeId};
+use std::collections::HashMap;
+
+/// Writes an arrangement in the native format, kind `arrangement`: see `docs/star.md`.
+///
+/// There is one text for each arrangement: it does not depend on ids, on the order in which curves were inserted, nor on their
+/// directions. Curves that carry no edge are left out.
+///
+/// # Complexity
+/// O(n log n).
+///
+/// ```
+/// use arrangement::{Arrangement, models::{Linear, LinearTraits}, topology::UnboundedPlane};
+/// use exact::planar::Point2;
+/// use splitstar_formats::{read_arrangement, write_arrangement};
+///
+/// let [p, q, r] = [[0, 0], [2, 0], [1, -1]].map(Point2::from_i64);
+/// let line = Linear::line(&p, &q).expect("the points are different");
+/// let ray = Linear::ray(r, &Point2::from_i64([1, 0])).expect("the points are different");
+/// let arrangement = Arrangement::of_curves(LinearTraits, UnboundedPlane, &[line, ray]);
+/// let text = write_arrangement(&arrangement);
+/// assert!(text.starts_with(b"star 1 arrangement\nsurface plane\ncurve 0 line 0 0 1 0\n"));
+/// let again = read_arrangement(&text, None)?;
+/// assert_eq!(again.counts().faces, 3);
+/// assert_eq!(write_arrangement(&again), text);
+/// # Ok::<(), splitstar_formats::ReadError>(())
+/// ```
+pub fn write_arrangement(arrangement: &impl StarText) -> Vec<u8> {
+    arrangement.star_text()
+}
+
+pub(super) fn text<G: Family>(arrangement: &Arrangement<G, G::Surface>) -> Vec<u8> {
+    let dcel = arrangement.dcel();
+    let CellOrder { vertices, edges, ccbs, faces } = arrangement.cell_order();
+    let mut text = b"star 1 arrangement\n".to_vec();
+    arrangement.traits().put_surface(&mut text);
+
+    // Curves in the order of their first edges. Those with one text are one.
+    const NEW: u32 = u32::MAX;
+    let mut curve_numbers = vec![NEW; arrangement.curves().len()];
+    let mut known: HashMap<Vec<u8>, u32> = HashMap::new();
+    for &e in &edges {
+        let support = arrangement.support(e);
+        let number = &mut curve_numbers[support.index()];
+        if *number != NEW {
+            continue;
+        }
+        let mut curve = Vec::new();
+        arrangement.traits().put_curve(arrangement.curve(support), &mut curve);
+        *number = known.len() as u32;
+        match known.get(&curve) {
+            Some(&first) => *number = first,
+            None => {
+                put(&mut text, format_args!("curve {number} "));
+                text.extend_from_slice(&curve);
+                text.push(b'\n');
+                known.insert(curve, *number);
+            }
+        }
+    }
+    drop(known);
+
+    let mut vertex_numbers = vec![NEW; dcel.vertex_bound()];
+    for (number, &v) in (0..).zip(&vertices) {
+        vertex_numbers[v.index()] = number;
+        put(&mut text, format_args!("vertex {number}"));
+        put_point(arrangement.point(v).expect("vertices in order have points"), &mut text);
+        text.extend_from_slice(if arrangement.is_artificial(v) { b" artificial\n" } else { b"\n" });
+    }
+
+    let mut edge_numbers = vec![NEW; dcel.edge_bound()];
+    for (number, &e) in (0..).zip(&edges) {
+        edge_numbers[e.index()] = number;
+        put(&mut text, format_args!("edge {number}"));
+        for v in dcel.ends(e) {
+            put_end(vertex_numbers[v.index()], arrangement.is_at_infinity(v), &mut text);
+        }
+        put(&mut text, format_args!(" curve {}\n", curve_numbers[arrangement.support(e).index()]));
+    }
+
+    let mut ccbs_of_faces: Vec<Vec<HalfedgeId>> = vec![Vec::new(); dcel.face_bound()];
+    for h in ccbs {
+        ccbs_of_faces[dcel.face(h).index()].push(h);
+    }
+    for (number, &face) in (0_u32..).zip(&faces) {
+        put(&mut text, format_args!("face {number}\n"));
+        for (kind, keyword) in [(CcbKind::Outer, "outer"), (CcbKind::Inner, "inner")] {
+            let firsts = &ccbs_of_faces[face.index()];
+            for &first in firsts.iter().filter(|&&h| dcel.ccb_kind(dcel.ccb(h)) == kind) {
+                text.extend_from_slice(keyword.as_bytes());
+                for h in dcel.cycle(first) {
+                    let sign = if h.is_even() { '+' } else { '-' };
+                    put(&mut text, format_args!(" {sign}{}", edge_numbers[h.edge()]));
+                }
+                text.push(b'\n');
+            }
+        }
+        let isolated = dcel.isolated_vertices(face).filter(|&v| !arrangement.is_at_infinity(v));
+        let mut isolated: Vec<u32> = isolated.map(|v| vertex_numbers[v.index()]).collect();
+        isolated.sort_unstable();
+        isolated.iter().for_each(|number| put(&mut text, format_args!("isolated {number}\n")));
+    }
+    text.extend_from_slice(b"end\n");
+    text
+}
+
+fn put_end(number: u32, is_at_infinity: bool, text: &mut Vec<u8>) {
+    match is_at_infinity {
+        true => text.extend_from_slice(b" infinity"),
+        false => put(text, format_args!(" {number}")),
+    }
+}

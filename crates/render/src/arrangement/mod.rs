@@ -1,0 +1,115 @@
+//! Pictures of arrangements.
+//!
+//! | module | role |
+//! |---|---|
+//! | `outline` | edges as chains of points, and the window that holds all that happens |
+//! | `fill` | what the CCBs of a face enclose: closed along the window where it runs through infinity |
+//! | `torus` | faces of a torus, unrolled into the plane |
+//! | `components` | which cells hang together |
+//!
+//! 1. The window is around all vertices, and is met by every edge; what is shown may be less.
+//! 2. Every edge becomes a chain, from its min to its max vertex; an unbounded one ends on the window.
+//! 3. A face is what its CCBs enclose, by the even-odd rule. Where a CCB runs through infinity, it goes on along the window,
+//!    counterclockwise, because the face is on its left. On a torus a CCB is unrolled into the plane, and repeated.
+
+mod components;
+mod fill;
+mod outline;
+mod torus;
+
+use ::arrangement::Arrangement;
+use ::arrangement::topology::Topology;
+use ::arrangement::traits::ApproxTraits;
+
+use crate::colour::Colour;
+use crate::error::RenderError;
+use crate::frame::{Frame, Point};
+use crate::scene::{Item, Layer, Scene, Shape};
+use crate::style::{Dash, Stroke, Style};
+use components::Components;
+use outline::Outlines;
+
+/// Above this many vertices markers and strokes are thin.
+const MANY: usize = 2_000;
+
+impl Scene {
+    /// The picture of an arrangement: layers `faces`, `edges`, `vertices`, and on a torus `frame` above the faces. Cells have
+    /// their ids as names: `f0`, `e0`, `v0`.
+    ///
+    /// In the plane, bounded faces have the colour of the component of their outer CCB; unbounded ones, and those without outer
+    /// CCB, a light grey. On a torus every face has a colour of its own. Edges are those that are stored; vertices are those of
+    /// [`Arrangement::user_view`], so that a closed curve shows the one that it keeps.
+    ///
+    /// `shown` is what the picture shows; `None` stands for all vertices and every edge, with a margin. On a torus it must be
+    /// the rectangle whose sides are glued together, which is drawn, too; points on a seam, and edges along one, are drawn on
+    /// both sides, with the same name. Whether coordinates are too near each other, [`Scene::is_collapsed`] tells.
+    ///
+    /// # Errors
+    /// If a coordinate is too large for a double.
+    ///
+    /// # Complexity
+    /// Linear in the number of points of all edges, and on a torus of the copies that are seen.
+    pub fn of_arrangement<G: ApproxTraits, T: Topology<G>>(
+        arrangement: &Arrangement<G, T>,
+        shown: Option<Frame>,
+    ) -> Result<Self, RenderError> {
+        let is_torus = arrangement.topology().genus() > 0;
+        let outlines = Outlines::new(arrangement, shown, is_torus)?;
+        let components = Components::new(arrangement);
+        let view = arrangement.user_view();
+        let vertex_count = arrangement.vertices().count();
+        let (width, size) = if vertex_count > MANY { (0.5, 1.5) } else { (1.25, 5.0) };
+        let dcel = arrangement.dcel();
+
+        let mut faces = Layer::new("faces");
+        for f in dcel.faces() {
+            let Some(rings) = fill::rings(arrangement, &outlines, f, is_torus) else { continue };
+            let style = match dcel.outer_ccbs(f).next() {
+                _ if is_torus => Style::filled("face", Colour::pale(f.0)),
+                Some(ccb) if !arrangement.is_unbounded(f) => {
+                    let component = components.of(dcel.source(dcel.ccb_halfedge(ccb)));
+                    Style::filled("face", Colour::pale(component))
+                }
+                _ => Style::filled("face unbounded", Colour::Rgb([246, 247, 249])),
+            };
+            faces.push(Item::new(Shape::region(rings), style).with_id(format!("f{}", f.0)))?;
+        }
+
+        let mut edges = Layer::new("edges");
+        for e in dcel.edges() {
+            for chain in outlines.edge_copies(e) {
+                let style = Style::stroked("edge", Colour::INK, width);
+                edges.push(Item::new(Shape::Polyline(chain), style).with_id(format!("e{}", e.0)))?;
+            }
+        }
+
+        let mut vertices = Layer::new("vertices");
+        for v in view.vertices() {
+            let Some(point) = arrangement.point(v) else { continue };
+            let location = arrangement.topology().point_location(arrangement.traits(), point);
+            let style = if dcel.outgoing(v).is_some() {
+                Style::filled("vertex", Colour::INK).with_stroke(Stroke::new(Colour::WHITE, size / 6.0))
+            } else {
+                Style::filled("vertex isolated", Colour::WHITE)
+                    .with_stroke(Stroke::new(Colour::INK, size / 4.0))
+            };
+            for at in outlines.copies(arrangement.traits().approx_point(point), location, is_torus) {
+                vertices
+                    .push(Item::new(Shape::disc(at, size), style.clone()).with_id(format!("v{}", v.0)))?;
+            }
+        }
+
+        let mut scene = Self::new(outlines.shown);
+        scene.set_collapsed(outlines.is_collapsed);
+        scene.push_layer(faces);
+        if is_torus {
+            let mut frame = Layer::new("frame");
+            let stroke = Stroke::new(Colour::GREY, 1.0).with_dash(Dash::Dashed);
+            let corners: Vec<Point> = outlines.shown.corners().to_vec();
+            frame.push(Item::new(Shape::ClosedPolyline(corners), Style::default().with_stroke(stroke)))?;
+            scene.push_layer(frame);
+        }
+        [edges, vertices].into_iter().for_each(|layer| scene.push_layer(layer));
+        Ok(scene)
+    }
+}

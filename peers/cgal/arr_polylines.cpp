@@ -1,0 +1,16 @@
+// The peer of arrangements of polylines over caching segments, exact kernel. Polylines are split where they turn back in x.
+#include <CGAL/Arr_polyline_traits_2.h>
+#include <CGAL/Arr_segment_traits_2.h>
+
+#include "curves.h"
+
+struct Polylines {
+  using Traits = CGAL::Arr_polyline_traits_2<CGAL::Arr_segment_traits_2<Epeck>>;
+  static Traits::Curve_2 curve(const Traits& traits, const Line& line) {
+    std::vector<Epeck::Point_2> points;
+    for (const auto& point : line.points) points.push_back(kernel_point(point));
+    return traits.construct_curve_2_object()(points.begin(), points.end());
+  }
+};
+
+int main(int count, char** values) { return run_driver<Polylines>("arr_polylines", count, values); }

@@ -1,0 +1,13 @@
+// The peer of arrangements of segments: the caching traits class, exact kernel.
+#include <CGAL/Arr_segment_traits_2.h>
+
+#include "curves.h"
+
+struct Segments {
+  using Traits = CGAL::Arr_segment_traits_2<Epeck>;
+  static Traits::Curve_2 curve(const Traits&, const Line& line) {
+    return {kernel_point(line.points.at(0)), kernel_point(line.points.at(1))};
+  }
+};
+
+int main(int count, char** values) { return run_driver<Segments>("arr_segments", count, values); }

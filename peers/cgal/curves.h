@@ -1,0 +1,229 @@
+// What the CGAL drivers of arrangements share: the reader of curves, the report, and the three operations for any traits class.
+#pragma once
+
+#include <CGAL/Arr_batched_point_location.h>
+#include <CGAL/Arr_default_overlay_traits.h>
+#include <CGAL/Arr_overlay_2.h>
+#include <CGAL/Arrangement_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/version.h>
+
+#include <sys/resource.h>
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "measure.h"
+
+using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
+
+// One line of a file of curves: its first word, and the points that follow.
+struct Line {
+  std::string kind;
+  std::vector<std::pair<std::int64_t, std::int64_t>> points;
+};
+
+// All lines, and the hash of all numbers in order, which names the input.
+struct Lines {
+  std::vector<Line> lines;
+  std::uint64_t hash = 0xcbf29ce484222325ULL;
+};
+
+inline Lines read_lines(const std::string& name) {
+  std::ifstream file(name);
+  if (!file) throw std::runtime_error("cannot open " + name);
+  Lines r;
+  const auto fold = [&](std::int64_t value) {
+    r.hash = (r.hash ^ static_cast<std::uint64_t>(value)) * 0x100000001B3ULL;
+  };
+  for (std::string text; std::getline(file, text);) {
+    std::istringstream words(text);
+    Line line;
+    words >> line.kind;
+    for (std::int64_t x, y; words >> x >> y;) {
+      fold(x), fold(y);
+      line.points.emplace_back(x, y);
+    }
+    r.lines.push_back(std::move(line));
+  }
+  return r;
+}
+
+// Coordinates of up to 53 bits are doubles.
+inline Epeck::Point_2 kernel_point(const std::pair<std::int64_t, std::int64_t>& p) {
+  return {static_cast<double>(p.first), static_cast<double>(p.second)};
+}
+
+// The largest resident set of this process so far. (The one of getrusage would count the process that started this one.)
+inline long peak_bytes() {
+  std::ifstream status("/proc/self/status");
+  for (std::string line; std::getline(status, line);)
+    if (line.rfind("VmHWM:", 0) == 0) return 1024 * std::stol(line.substr(6));
+  throw std::runtime_error("peak memory needs Linux");
+}
+
+inline double user_seconds() {
+  rusage usage;
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_utime.tv_sec) + 1e-6 * static_cast<double>(usage.ru_utime.tv_usec);
+}
+
+// What was found and what it cost, printed as one JSON object on one line.
+struct Answer {
+  std::size_t vertices = 0, edges = 0, faces = 0;
+  bool is_location = false;
+  // Points on vertices, on edges and in faces, and the lengths of the outer boundaries of these faces, added up.
+  std::size_t on_vertices = 0, on_edges = 0, in_faces = 0, around = 0;
+  std::uint64_t hash = 0;
+  std::vector<double> seconds, user;
+  long peak = 0;
+
+  void print(const std::string& method) const {
+    std::printf("{\"method\": \"%s\", \"version\": \"CGAL %s\", \"input_hash\": \"%016llx\", \"repetitions\": %zu, "
+                "\"seconds\": %.9f, \"user_seconds\": %.9f, \"peak_bytes\": %ld, "
+                "\"vertices\": %zu, \"edges\": %zu, \"faces\": %zu",
+                method.c_str(), CGAL_VERSION_STR, static_cast<unsigned long long>(hash), seconds.size(),
+                median(seconds), median(user), peak, vertices, edges, faces);
+    if (is_location)
+      std::printf(", \"located\": {\"vertices\": %zu, \"edges\": %zu, \"faces\": %zu, \"around\": %zu}", on_vertices,
+                  on_edges, in_faces, around);
+    std::printf("}\n");
+  }
+};
+
+// The operations on arrangements of one traits class. `Model` has the types `Traits` and `Curve`, and makes a curve of a line.
+template <class Model>
+struct Operations {
+  using Traits = typename Model::Traits;
+  using Arrangement = CGAL::Arrangement_2<Traits>;
+  using Curve = typename Traits::Curve_2;
+
+  Traits traits;
+  std::size_t least;
+  double budget;
+  Answer answer;
+
+  std::vector<Curve> curves(const Lines& input) {
+    std::vector<Curve> r;
+    r.reserve(input.lines.size());
+    for (const auto& line : input.lines) r.push_back(Model::curve(traits, line));
+    return r;
+  }
+
+  // The time of `action` alone; the first run is looked at while its result is in memory.
+  template <class Make, class Action, class Look>
+  void measure(Make&& make, Action&& action, Look&& look) {
+    repeat(least, budget, 1, [&] {
+      auto result = make();
+      const double t0 = cpu_seconds(), u0 = user_seconds();
+      action(*result);
+      const double t1 = cpu_seconds();
+      answer.user.push_back(user_seconds() - u0);
+      answer.seconds.push_back(t1 - t0);
+      if (answer.seconds.size() == 1) {
+        answer.peak = peak_bytes();
+        look(*result);
+      }
+      return std::vector<double>{t1 - t0};
+    });
+  }
+
+  void count(const Arrangement& arrangement) {
+    answer.vertices = arrangement.number_of_vertices();
+    answer.edges = arrangement.number_of_edges();
+    answer.faces = arrangement.number_of_faces();
+  }
+
+  std::unique_ptr<Arrangement> empty() { return std::make_unique<Arrangement>(&traits); }
+
+  // Aggregated insertion of all curves into an empty arrangement.
+  void build(const Lines& input) {
+    const auto all = curves(input);
+    measure([&] { return empty(); }, [&](Arrangement& r) { CGAL::insert(r, all.begin(), all.end()); },
+            [&](const Arrangement& r) { count(r); });
+  }
+
+  // Overlay of two arrangements that are made before the clock starts.
+  void overlay(const Lines& red_input, const Lines& blue_input) {
+    const auto red_curves = curves(red_input), blue_curves = curves(blue_input);
+    const auto red = empty(), blue = empty();
+    CGAL::insert(*red, red_curves.begin(), red_curves.end());
+    CGAL::insert(*blue, blue_curves.begin(), blue_curves.end());
+    measure([&] { return empty(); },
+            [&](Arrangement& r) {
+              CGAL::Arr_default_overlay_traits<Arrangement> nothing;
+              CGAL::overlay(*red, *blue, r, nothing);
+            },
+            [&](const Arrangement& r) { count(r); });
+  }
+
+  // Batched location of points in an arrangement that is made before the clock starts.
+  void locate(const Lines& input, const Lines& queries) {
+    using Point = typename Traits::Point_2;
+    using Place = std::pair<Point, typename CGAL::Arr_point_location_result<Arrangement>::Type>;
+    const auto all = curves(input);
+    const auto arrangement = empty();
+    CGAL::insert(*arrangement, all.begin(), all.end());
+    std::vector<Point> points;
+    for (const auto& line : queries.lines) points.push_back(kernel_point(line.points.at(0)));
+    measure([] { return std::make_unique<std::vector<Place>>(); },
+            [&](std::vector<Place>& r) {
+              CGAL::locate(*arrangement, points.begin(), points.end(), std::back_inserter(r));
+            },
+            [&](const std::vector<Place>& r) {
+              for (const auto& place : r) look_at(place.second);
+            });
+    answer.is_location = true;
+    count(*arrangement);
+  }
+
+  template <class Cell>
+  void look_at(const Cell& cell) {
+    if (boost::get<typename Arrangement::Vertex_const_handle>(&cell)) {
+      ++answer.on_vertices;
+    } else if (boost::get<typename Arrangement::Halfedge_const_handle>(&cell)) {
+      ++answer.on_edges;
+    } else {
+      const auto face = boost::get<typename Arrangement::Face_const_handle>(cell);
+      ++answer.in_faces;
+      if (face->is_unbounded()) return;
+      const auto first = face->outer_ccb();
+      auto edge = first;
+      do ++answer.around;
+      while (++edge != first);
+    }
+  }
+};
+
+// `driver build|overlay|locate CURVES [CURVES|POINTS] [LEAST [SECONDS]]`
+template <class Model>
+int run_driver(const char* method, int count, char** values) try {
+  const std::string operation = count > 1 ? values[1] : "";
+  const int files = operation == "build" ? 1 : 2;
+  if (count < 2 + files || (operation != "build" && operation != "overlay" && operation != "locate"))
+    throw std::runtime_error("usage: build CURVES | overlay CURVES CURVES | locate CURVES POINTS, [LEAST [SECONDS]]");
+  Operations<Model> operations;
+  operations.least = count > 2 + files ? std::stoul(values[2 + files]) : 3;
+  operations.budget = count > 3 + files ? std::stod(values[3 + files]) : 1.0;
+  const Lines first = read_lines(values[2]);
+  if (operation == "build") operations.build(first);
+  if (operation == "overlay") operations.overlay(first, read_lines(values[3]));
+  if (operation == "locate") operations.locate(first, read_lines(values[3]));
+  operations.answer.hash = first.hash;
+  operations.answer.print(method);
+  return EXIT_SUCCESS;
+} catch (const std::exception& error) {
+  std::cerr << method << ": " << error.what() << '\n';
+  return EXIT_FAILURE;
+}

@@ -1,0 +1,134 @@
+//! The tasks of the table, what must be found, who else runs, and what must be reached.
+
+use super::once::Counts;
+use super::task::{Family, Operation, Task};
+
+/// Another program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Peer {
+    /// CGAL, 2D Arrangements over its exact kernel.
+    Cgal,
+    /// GEOS, noding with floating-point numbers: no faces, and rounded vertices.
+    Geos,
+}
+
+impl Peer {
+    /// Whether its counts must be ours.
+    pub(super) fn is_exact(self) -> bool {
+        self == Peer::Cgal
+    }
+}
+
+impl std::fmt::Display for Peer {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.pad(match self {
+            Peer::Cgal => "CGAL",
+            Peer::Geos => "GEOS",
+        })
+    }
+}
+
+/// What is compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Measure {
+    /// Processor seconds.
+    Seconds,
+    /// Peak memory of a process that does the task once.
+    Memory,
+}
+
+impl std::fmt::Display for Measure {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Measure::Seconds => "less time",
+            Measure::Memory => "less memory",
+        })
+    }
+}
+
+/// We need that many times less than the peer.
+#[derive(Debug)]
+pub(super) struct Requirement {
+    pub(super) factor: f64,
+    pub(super) measure: Measure,
+    pub(super) than: Peer,
+}
+
+/// A task and all that is asked of it.
+#[derive(Debug)]
+pub(super) struct Row {
+    pub(super) name: &'static str,
+    pub(super) task: Task,
+    /// Of the arrangement, edges and vertices of splits included; for location, of the one where points are located.
+    pub(super) counts: Counts,
+    pub(super) peers: &'static [Peer],
+    pub(super) requirements: &'static [Requirement],
+}
+
+const fn times(factor: f64, than: Peer) -> Requirement {
+    Requirement { factor, measure: Measure::Seconds, than }
+}
+
+const fn task(operation: Operation, family: Family, count: usize) -> Task {
+    Task { operation, family, count }
+}
+
+const fn counts(vertices: usize, edges: usize, faces: usize) -> Counts {
+    Counts { vertices, edges, faces }
+}
+
+/// All rows. The counts are those of CGAL 5.5.1; those of `long1000` were found by brute force, too.
+pub(super) const ROWS: [Row; 7] = [
+    Row {
+        name: "long1000",
+        task: task(Operation::Build, Family::Long, 1_000),
+        counts: counts(113_476, 223_952, 110_479),
+        peers: &[Peer::Cgal],
+        requirements: &[times(4.0, Peer::Cgal)],
+    },
+    Row {
+        name: "long3000",
+        task: task(Operation::Build, Family::Long, 3_000),
+        counts: counts(1_034_374, 2_059_748, 1_025_377),
+        peers: &[Peer::Cgal],
+        requirements: &[
+            times(4.0, Peer::Cgal),
+            Requirement { factor: 3.0, measure: Measure::Memory, than: Peer::Cgal },
+        ],
+    },
+    Row {
+        name: "short100000",
+        task: task(Operation::Build, Family::Short(14), 100_000),
+        counts: counts(312_962, 325_924, 36_065),
+        peers: &[Peer::Cgal, Peer::Geos],
+        requirements: &[times(4.0, Peer::Cgal), times(1.0, Peer::Geos)],
+    },
+    Row {
+        name: "lines1000",
+        task: task(Operation::Build, Family::Lines, 1_000),
+        counts: counts(499_500, 1_000_000, 500_501),
+        peers: &[Peer::Cgal],
+        requirements: &[times(4.0, Peer::Cgal)],
+    },
+    Row {
+        name: "polylines1000",
+        task: task(Operation::Build, Family::Polylines, 1_000),
+        counts: counts(66_532, 126_009, 59_479),
+        peers: &[Peer::Cgal],
+        requirements: &[times(4.0, Peer::Cgal)],
+    },
+    Row {
+        name: "overlay1000",
+        task: task(Operation::Overlay, Family::Long, 1_000),
+        counts: counts(459_813, 913_626, 453_815),
+        peers: &[Peer::Cgal],
+        requirements: &[times(6.0, Peer::Cgal)],
+    },
+    Row {
+        name: "locate10000",
+        task: task(Operation::Locate, Family::Short(14), 100_000),
+        counts: counts(312_962, 325_924, 36_065),
+        peers: &[Peer::Cgal],
+        requirements: &[times(4.0, Peer::Cgal)],
+    },
+];

@@ -1,0 +1,219 @@
+//! An operation and its input.
+
+use std::fmt::Write as _;
+
+use testkit::{Drawn, lines, long_segments, polylines, query_points, short_segments};
+
+use crate::Failure;
+
+/// Seed of the first operand.
+const FIRST: u64 = 1;
+/// Seed of the second operand of an overlay.
+const SECOND: u64 = 2;
+/// Points that are located, and their seed.
+const QUERIES: usize = 10_000;
+const QUERY_SEED: u64 = 1_000;
+
+/// What is done; the drivers of peers have the same words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Operation {
+    /// Aggregated insertion into an empty arrangement.
+    Build,
+    /// Overlay of two arrangements that exist.
+    Overlay,
+    /// Batched location of points in an arrangement that exists.
+    Locate,
+}
+
+/// Which curves of `testkit` are drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Family {
+    Long,
+    /// With steps of so many bits.
+    Short(u32),
+    Lines,
+    Polylines,
+}
+
+/// An operation on so many curves of a family; all seeds are fixed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Task {
+    pub(crate) operation: Operation,
+    pub(crate) family: Family,
+    pub(crate) count: usize,
+}
+
+/// Curves of one kind, or the points of queries.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum Curves {
+    Segments(Vec<[i64; 4]>),
+    /// Through two points each.
+    Lines(Vec<[i64; 4]>),
+    Polylines(Vec<Vec<[i64; 2]>>),
+    Points(Vec<[i64; 2]>),
+}
+
+/// One input of a task.
+#[derive(Debug, Clone)]
+pub(super) struct Operand {
+    /// Names the file.
+    pub(super) name: String,
+    pub(super) curves: Curves,
+    /// What names the curves in the measurements of every program.
+    pub(super) hash: u64,
+}
+
+impl std::fmt::Display for Operation {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Operation::Build => "build",
+            Operation::Overlay => "overlay",
+            Operation::Locate => "locate",
+        })
+    }
+}
+
+impl std::fmt::Display for Family {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Family::Long => f.write_str("long"),
+            Family::Short(bits) => write!(f, "s{bits}"),
+            Family::Lines => f.write_str("lines"),
+            Family::Polylines => f.write_str("polylines"),
+        }
+    }
+}
+
+impl Family {
+    /// The CGAL driver for curves of this kind.
+    pub(super) fn driver(self) -> &'static str {
+        match self {
+            Family::Long | Family::Short(_) => "arr_segments",
+            Family::Lines => "arr_linear",
+            Family::Polylines => "arr_polylines",
+        }
+    }
+
+    /// So many curves.
+    fn operand(self, count: usize, seed: u64) -> Operand {
+        let segments = |Drawn { objects, hash }| (Curves::Segments(objects), hash);
+        let (curves, hash) = match self {
+            Family::Long => segments(long_segments(count, seed)),
+            Family::Short(bits) => segments(short_segments(count, bits, seed)),
+            Family::Lines => {
+                let drawn = lines(count, seed);
+                (Curves::Lines(drawn.objects), drawn.hash)
+            }
+            Family::Polylines => {
+                let drawn = polylines(count, seed);
+                (Curves::Polylines(drawn.objects), drawn.hash)
+            }
+        };
+        Operand { name: format!("{self}_{count}_{seed}"), curves, hash }
+    }
+}
+
+impl Task {
+    /// The three words of [`Task::words`].
+    ///
+    /// # Errors
+    /// If a word is not one of them.
+    pub(super) fn parse([operation, family, count]: [&str; 3]) -> Result<Task, Failure> {
+        let operation = match operation {
+            "build" => Operation::Build,
+            "overlay" => Operation::Overlay,
+            "locate" => Operation::Locate,
+            _ => return Err(format!("no such operation: {operation}").into()),
+        };
+        let bits = || family.strip_prefix('s')?.parse().ok().filter(|bits| (1..=20).contains(bits));
+        let family = match family {
+            "long" => Family::Long,
+            "lines" => Family::Lines,
+            "polylines" => Family::Polylines,
+            _ => Family::Short(bits().ok_or_else(|| format!("no such family of curves: {family}"))?),
+        };
+        Ok(Task { operation, family, count: count.parse()? })
+    }
+
+    /// What [`Task::parse`] reads.
+    pub(super) fn words(&self) -> [String; 3] {
+        [self.operation.to_string(), self.family.to_string(), self.count.to_string()]
+    }
+
+    /// One operand, or two.
+    pub(super) fn operands(&self) -> Vec<Operand> {
+        let first = self.family.operand(self.count, FIRST);
+        match self.operation {
+            Operation::Build => vec![first],
+            Operation::Overlay => vec![first, self.family.operand(self.count, SECOND)],
+            Operation::Locate => {
+                let Drawn { objects, hash } = query_points(QUERIES, QUERY_SEED);
+                let name = format!("points_{QUERIES}_{QUERY_SEED}");
+                vec![first, Operand { name, curves: Curves::Points(objects), hash }]
+            }
+        }
+    }
+}
+
+impl Curves {
+    /// One curve a line, as `splitstar arrange` reads them.
+    pub(super) fn text(&self) -> String {
+        let mut text = String::new();
+        let mut line = |kind: &str, numbers: &mut dyn Iterator<Item = i64>| {
+            text.push_str(kind);
+            for number in numbers {
+                write!(text, " {number}").expect("a string takes all text");
+            }
+            text.push('\n');
+        };
+        match self {
+            Curves::Segments(all) => all.iter().for_each(|ends| line("segment", &mut ends.iter().copied())),
+            Curves::Lines(all) => all.iter().for_each(|points| line("line", &mut points.iter().copied())),
+            Curves::Polylines(all) => {
+                all.iter().for_each(|walk| line("polyline", &mut walk.iter().flatten().copied()));
+            }
+            Curves::Points(all) => all.iter().for_each(|point| line("point", &mut point.iter().copied())),
+        }
+        text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn words_are_read_back() {
+        let families = [Family::Long, Family::Short(9), Family::Lines, Family::Polylines];
+        for operation in [Operation::Build, Operation::Overlay, Operation::Locate] {
+            for family in families {
+                let task = Task { operation, family, count: 12 };
+                let words = task.words();
+                let read = Task::parse([&words[0], &words[1], &words[2]]).expect("they are right");
+                assert_eq!(read, task);
+            }
+        }
+        for wrong in
+            [["sew", "long", "1"], ["build", "s99", "1"], ["build", "medium", "1"], ["build", "long", "x"]]
+        {
+            assert!(Task::parse(wrong).is_err(), "{wrong:?}");
+        }
+    }
+
+    #[test]
+    fn text_is_a_curve_a_line() {
+        assert_eq!(Curves::Segments(vec![[1, 2, 3, 4]]).text(), "segment 1 2 3 4\n");
+        assert_eq!(Curves::Lines(vec![[1, 2, 3, 4], [-1, 0, 0, 5]]).text(), "line 1 2 3 4\nline -1 0 0 5\n");
+        assert_eq!(Curves::Polylines(vec![vec![[1, 2], [3, 4], [5, 6]]]).text(), "polyline 1 2 3 4 5 6\n");
+        assert_eq!(Curves::Points(vec![[7, 8]]).text(), "point 7 8\n");
+    }
+
+    #[test]
+    fn operands_have_the_published_hashes() {
+        let task = Task::parse(["overlay", "long", "1000"]).expect("it is a task");
+        let hashes: Vec<u64> = task.operands().iter().map(|operand| operand.hash).collect();
+        assert_eq!(hashes, [0xa218_6390_7182_c844, 0xe40b_f83e_092e_eed0]);
+        let task = Task::parse(["locate", "s15", "1000"]).expect("it is a task");
+        assert_eq!(task.operands()[1].hash, 0x19d3_c591_bd35_d28b);
+    }
+}

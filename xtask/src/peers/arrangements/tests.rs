@@ -1,0 +1,111 @@
+use std::thread;
+use std::time::{Duration, Instant};
+
+use serde_json::{Value, json};
+
+use super::once::{Counts, Located, Measured, timed};
+use super::rows::{Peer, ROWS, Row};
+use super::table::{self, Outcome, Run};
+use super::task::Operation;
+
+/// What a driver prints for that row.
+fn printed(row: &Row, seconds: f64, peak: u64) -> Value {
+    let Counts { vertices, edges, faces } = row.counts;
+    let mut record = json!({
+        "method": "some", "input_hash": format!("{:016x}", row.task.operands()[0].hash), "repetitions": 3,
+        "seconds": seconds, "peak_bytes": peak, "vertices": vertices, "edges": edges, "faces": faces,
+    });
+    if row.task.operation == Operation::Locate {
+        record["located"] = json!({ "vertices": 1, "edges": 2, "faces": 9_997, "around": 5 });
+    }
+    record
+}
+
+fn outcome(row: &'static Row, ours: Value, theirs: Value) -> Outcome {
+    let run = |peer, record| Run { peer, measured: Measured::read(record).expect("it is complete") };
+    let mut outcome = Outcome {
+        row,
+        ours: Some(run(None, ours)),
+        peers: vec![run(Some(Peer::Cgal), theirs)],
+        troubles: Vec::new(),
+    };
+    table::check(&mut outcome);
+    outcome
+}
+
+fn row(name: &str) -> &'static Row {
+    ROWS.iter().find(|row| row.name == name).expect("there is such a row")
+}
+
+#[test]
+fn what_a_driver_prints_is_read() {
+    let built = printed(row("short100000"), 0.5, 1024);
+    assert_eq!(Measured::read(built).expect("it is complete").located, None);
+    let record = printed(row("locate10000"), 0.5, 1024);
+    let measured = Measured::read(record.clone()).expect("it is complete");
+    assert_eq!(measured.counts, Some(row("locate10000").counts));
+    assert_eq!(measured.located, Some(Located { vertices: 1, edges: 2, faces: 9_997, around: 5 }));
+    for key in ["seconds", "peak_bytes", "input_hash"] {
+        let mut less = record.clone();
+        less[key] = Value::Null;
+        assert!(Measured::read(less).is_err(), "without {key}");
+    }
+}
+
+#[test]
+fn every_requirement_can_fail() {
+    let row = row("long3000");
+    let passes = outcome(row, printed(row, 1.0, 100), printed(row, 4.0, 300));
+    assert_eq!(table::failures(&passes), Vec::<String>::new());
+    let slow = outcome(row, printed(row, 1.0, 100), printed(row, 3.9, 300));
+    assert_eq!(table::failures(&slow), ["long3000: 3.90 times less time than CGAL, 4 is asked"]);
+    let large = outcome(row, printed(row, 1.0, 101), printed(row, 4.0, 300));
+    assert_eq!(table::failures(&large), ["long3000: 2.97 times less memory than CGAL, 3 is asked"]);
+    let mut alone = outcome(row, printed(row, 1.0, 100), printed(row, 4.0, 300));
+    alone.peers.clear();
+    assert_eq!(table::failures(&alone).len(), 2);
+}
+
+#[test]
+fn other_inputs_and_other_cells_are_troubles() {
+    let row = row("locate10000");
+    let right = printed(row, 1.0, 100);
+    let with = |key: &str, value: Value| {
+        let mut record = right.clone();
+        record[key] = value;
+        record
+    };
+    assert!(outcome(row, right.clone(), right.clone()).troubles.is_empty());
+    let place = json!({ "vertices": 0, "edges": 0, "faces": 10_000, "around": 7 });
+    let wrong = [
+        with("input_hash", json!("00")),
+        with("faces", json!(1)),
+        with("located", place),
+        with("located", Value::Null),
+    ];
+    for record in wrong {
+        assert_eq!(outcome(row, record.clone(), right.clone()).troubles.len(), 1, "ours: {record}");
+        assert_eq!(outcome(row, right.clone(), record.clone()).troubles.len(), 1, "theirs: {record}");
+    }
+}
+
+#[test]
+fn names_of_rows_differ() {
+    for (index, row) in ROWS.iter().enumerate() {
+        assert!(ROWS[..index].iter().all(|other| other.name != row.name), "{}", row.name);
+    }
+}
+
+#[test]
+fn time_is_that_of_the_work() {
+    let ((), seconds) = timed(|| {
+        let begin = Instant::now();
+        while begin.elapsed() < Duration::from_millis(5) {}
+    });
+    assert!(seconds > 0.0);
+    // Where the kernel keeps account, sleep costs nothing.
+    if std::path::Path::new("/proc/thread-self/schedstat").exists() {
+        let ((), seconds) = timed(|| thread::sleep(Duration::from_millis(100)));
+        assert!(seconds < 0.09, "{seconds}");
+    }
+}
