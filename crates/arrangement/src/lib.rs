@@ -146,6 +146,7 @@ mod queries;
 pub mod sweep;
 pub mod topology;
 pub mod traits;
+mod trapezoids;
 pub mod wrappers;
 
 pub use arrangement::{
