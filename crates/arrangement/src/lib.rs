@@ -141,6 +141,7 @@
 
 mod arrangement;
 pub mod edit;
+mod editor;
 mod insert;
 pub mod models;
 pub mod overlay;
@@ -149,10 +150,12 @@ pub mod sweep;
 pub mod topology;
 pub mod traits;
 mod trapezoids;
+mod zone;
 pub mod wrappers;
 
 pub use arrangement::{
     Arrangement, CellOrder, Counts, CurveId, Difference, Parts, UserEdgeId, UserView, Violation,
 };
+pub use editor::Editor;
 pub use insert::Pieces;
 pub use queries::{CommonEnds, do_any_meet, intersections, locate_all, subcurves};
