@@ -150,8 +150,8 @@ pub mod sweep;
 pub mod topology;
 pub mod traits;
 mod trapezoids;
-mod zone;
 pub mod wrappers;
+mod zone;
 
 pub use arrangement::{
     Arrangement, CellOrder, Counts, CurveId, Difference, Parts, UserEdgeId, UserView, Violation,

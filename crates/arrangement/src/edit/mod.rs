@@ -25,4 +25,5 @@ pub use mirror::{Mirror, MirrorDifference};
 pub use observer::{Observer, Operation};
 pub use primitive::{Done, Edit, EditOf};
 pub use stamp::{Stale, Stamp, Stamped};
+pub(crate) use turns::SettledInsertion;
 pub use undo::{Recorded, Undo};

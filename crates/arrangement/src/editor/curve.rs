@@ -47,7 +47,12 @@ impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
 
 impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Inserts a u-monotone curve, and appends the edges that run along it, as they are when they are made.
-    pub(super) fn run(&mut self, curve: G::UMonotoneCurve, is_artificial: [bool; 2], edges: &mut Vec<EdgeId>) {
+    pub(super) fn run(
+        &mut self,
+        curve: G::UMonotoneCurve,
+        is_artificial: [bool; 2],
+        edges: &mut Vec<EdgeId>,
+    ) {
         let edit = Edit::AddCurve { curve };
         let id = self.arrangement.apply(edit, &mut self.observers).curve();
         let start = self.vertex_at_end(id, CurveEnd::Min, is_artificial[0]);
@@ -63,7 +68,9 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                 Next::Through(first, hit) => {
                     let (next, is_end) = match hit {
                         Hit::Site { site, is_end } => (self.vertex_of(site), is_end),
-                        Hit::Edge { rail, point } => (self.split_rail(rail, &point, Location::INTERIOR), false),
+                        Hit::Edge { rail, point } => {
+                            (self.split_rail(rail, &point, Location::INTERIOR), false)
+                        }
                         Hit::End { .. } => (self.vertex_at_end(id, CurveEnd::Max, is_artificial[1]), true),
                     };
                     edges.push(self.insert_edge(id, [at, next], first));
@@ -122,7 +129,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     fn parting(&self, curve: &G::UMonotoneCurve, e: EdgeId, start: &Site<'_, G>) -> Option<G::Point> {
         let arrangement = &self.arrangement;
         let (traits, topology) = (arrangement.traits(), arrangement.topology());
-        let max = self.trapezoids.place(arrangement, self.trapezoids.rail(self.trapezoids.rail_of(e)).ends[1]);
+        let max =
+            self.trapezoids.place(arrangement, self.trapezoids.rail(self.trapezoids.rail_of(e)).ends[1]);
         let end = Site::of_end(topology, traits, curve, CurveEnd::Max);
         let is_before = |place: &Site<'_, G>| topology.compare_sites(traits, place, &max).is_lt();
         let end = end.point().filter(|_| is_before(&end)).cloned();

@@ -18,7 +18,12 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Linear in the number of trapezoids through which the edge runs, and in the length of the shorter CCB that arises. If the face is
     /// split that has other CCBs or isolated vertices besides, also linear in the number of trapezoids of the smaller part, or of the new
     /// face, if the smaller one has to keep its id.
-    pub(super) fn insert_edge(&mut self, support: CurveId, [min, max]: [At; 2], first: TrapezoidId) -> EdgeId {
+    pub(super) fn insert_edge(
+        &mut self,
+        support: CurveId,
+        [min, max]: [At; 2],
+        first: TrapezoidId,
+    ) -> EdgeId {
         let dcel = self.arrangement.dcel();
         let is_alone = [min, max].iter().all(|at| dcel.outgoing(at.v).is_none());
         let face = is_alone.then(|| self.trapezoids.face_of(&self.arrangement, first));

@@ -10,19 +10,11 @@ use std::cmp::Ordering;
 #[derive(Clone, Debug)]
 pub(crate) enum Hit<P> {
     /// A site: the curve passes through it, or ends there.
-    Site {
-        site: SiteId,
-        is_end: bool,
-    },
+    Site { site: SiteId, is_end: bool },
     /// An edge, at a point of its interior through which the curve passes.
-    Edge {
-        rail: RailId,
-        point: P,
-    },
+    Edge { rail: RailId, point: P },
     /// Nothing: it ends in a face, or on an edge.
-    End {
-        on: Option<RailId>,
-    },
+    End { on: Option<RailId> },
 }
 
 /// A curve on its way through trapezoids.
@@ -82,7 +74,8 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Walk<'a, G, T> {
                     return Hit::Edge { rail, point: point.clone() };
                 }
             }
-            let beyond = wall.map(|site| (site, self.compare(&self.trapezoids.place(self.arrangement, site), &self.end)));
+            let beyond = wall
+                .map(|site| (site, self.compare(&self.trapezoids.place(self.arrangement, site), &self.end)));
             let Some((site, order)) = beyond.filter(|(_, order)| order.is_le()) else {
                 return Hit::End { on: self.rail_at_end([trapezoid.below, trapezoid.above]) };
             };
@@ -119,7 +112,11 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Walk<'a, G, T> {
         // The lower one is the other one if that is below.
         let first_to_end = usize::from(is_other_first != (side == Side::Below));
         let until = first.point().filter(|_| first.location.is_interior());
-        self.arrangement.traits().next_meeting(lower, upper, Window { after: self.after, until, first_to_end })
+        self.arrangement.traits().next_meeting(
+            lower,
+            upper,
+            Window { after: self.after, until, first_to_end },
+        )
     }
 
     /// The first point at which the curve meets the rail below or the one above, and that rail.
