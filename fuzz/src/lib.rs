@@ -1,7 +1,8 @@
 //! What every fuzz target checks of a reader.
 
-use splitstar_formats::{Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
-use splitstar_formats::{read_arrangement, write_arrangement};
+use splitstar_formats::{CurveFile, Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
+use splitstar_formats::{StarArrangement, read_arrangement, write_arrangement};
+use std::ops::ControlFlow;
 
 /// Reads bytes as a file of that name. A message must be one short line; a model must come back from the native
 /// format as it was, and every other format must take it or say why not.
@@ -51,7 +52,8 @@ fn has_long_numbers(model: &Model) -> bool {
     model.shape.points().any(|point| point.bits() > 1_000)
 }
 
-/// Reads bytes as a file of curves. A message must be one short line; curves must come back as they were.
+/// Reads bytes as a file of curves. A message must be one short line; curves must come back as they were, and the text of their
+/// arrangement must not depend on their order.
 pub fn check_curves(bytes: &[u8]) {
     let file = match read_curves(bytes, None) {
         Ok(file) => file,
@@ -65,6 +67,26 @@ pub fn check_curves(bytes: &[u8]) {
         Ok(again) => assert_eq!(again.curves, file.curves),
         Err(error) => assert!(file.curves.iter().any(is_long), "what was written cannot be read: {error}"),
     }
+    if file.curves.len() <= 12 && bytes.len() <= 500 && !file.curves.iter().any(is_long) {
+        check_arrangement_of(file);
+    }
+}
+
+fn check_arrangement_of(CurveFile { mut curves, period, .. }: CurveFile) {
+    let make = |curves: Vec<InputCurve>| {
+        let mut calls = 0;
+        let few = |_| {
+            calls += 1;
+            if calls < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        };
+        StarArrangement::of_curves_with(curves, period.clone(), few).ok().flatten()
+    };
+    let Some(arrangement) = make(curves.clone()) else { return };
+    let text = write_arrangement(&arrangement);
+    check_arrangement(&text);
+    curves.reverse();
+    let again = make(curves).expect("the curves are the same");
+    assert_eq!(String::from_utf8_lossy(&write_arrangement(&again)), String::from_utf8_lossy(&text));
 }
 
 /// As for models: a number may have more digits, written out, than may be read.
