@@ -67,9 +67,9 @@ pub(super) struct Course<'a> {
 
 /// Which edges go straight on in which.
 pub(super) struct Links {
-    /// For each edge the one before it, and the one after it.
-    before: Vec<Option<EdgeId>>,
-    after: Vec<Option<EdgeId>>,
+    /// For each edge the one before it, and the one after it, or none.
+    before: Vec<EdgeId>,
+    after: Vec<EdgeId>,
 }
 
 impl Links {
@@ -79,7 +79,8 @@ impl Links {
         /// So many pairs are compared without a hash.
         const FEW_PAIRS: usize = 64;
         let dcel = arrangement.dcel();
-        let mut links = Self { before: vec![None; dcel.edge_bound()], after: vec![None; dcel.edge_bound()] };
+        let none = vec![EdgeId::NONE; dcel.edge_bound()];
+        let mut links = Self { before: none.clone(), after: none };
         let (mut coming, mut leaving) = (Vec::new(), Vec::new());
         for &v in vertices {
             coming.clear();
@@ -111,14 +112,15 @@ impl Links {
     }
 
     fn join(&mut self, e: EdgeId, on: EdgeId) {
-        self.after[e.index()] = Some(on);
-        self.before[on.index()] = Some(e);
+        self.after[e.index()] = on;
+        self.before[on.index()] = e;
     }
 
     /// The edges of the curve of one of them, from the first to the last.
     pub(super) fn run(&self, e: EdgeId) -> impl Iterator<Item = EdgeId> + '_ {
-        let first = successors(Some(e), |e| self.before[e.index()]).last();
-        successors(first, |e| self.after[e.index()])
+        let follow = |links: &[EdgeId], e: &EdgeId| Some(links[e.index()]).filter(|&e| e != EdgeId::NONE);
+        let first = successors(Some(e), move |e| follow(&self.before, e)).last();
+        successors(first, move |e| follow(&self.after, e))
     }
 }
 
