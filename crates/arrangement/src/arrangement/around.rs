@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 
 impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// The end of the edge of a halfedge at which the halfedge begins.
-    pub(super) fn end_of(h: HalfedgeId) -> CurveEnd {
+    pub(crate) fn end_of(h: HalfedgeId) -> CurveEnd {
         if h.is_even() { CurveEnd::Min } else { CurveEnd::Max }
     }
 
@@ -16,7 +16,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     ///
     /// On an identification that is where its support ends, if it ends there, and else the low side, because only a curve along a side
     /// has interior points on it.
-    pub(super) fn start_site(&self, h: HalfedgeId) -> Site<'_, G> {
+    pub(crate) fn start_site(&self, h: HalfedgeId) -> Site<'_, G> {
         let (curve, end) = (self.curve_of(h.edge_id()), Self::end_of(h));
         let end_location = || self.topology.end_location(&self.traits, curve, end);
         let Some(point) = self.point(self.dcel.source(h)) else {
@@ -35,7 +35,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     ///
     /// The order begins after the direction straight down, at a vertex that stands for sides of the parameter space at the lower
     /// right corner. `Equal` means that the halfedges overlap.
-    pub(super) fn compare_around(&self, a: HalfedgeId, b: HalfedgeId) -> Ordering {
+    pub(crate) fn compare_around(&self, a: HalfedgeId, b: HalfedgeId) -> Ordering {
         let sites = [a, b].map(|h| self.start_site(h));
         let [sector_a, sector_b] =
             [0, 1].map(|i| sector([a, b][i], sites[i].location, sites[i].point().is_some()));
