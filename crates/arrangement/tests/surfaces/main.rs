@@ -6,5 +6,6 @@
 mod glue;
 mod paths;
 mod random;
+mod rectangle;
 mod strip;
 mod tables;

@@ -4,9 +4,9 @@ use exact::planar::{Point2, compare_x, compare_y};
 use splitstar_arrangement::models::{Segment, SegmentTraits};
 use splitstar_arrangement::topology::{Site, SiteAt, Topology};
 use splitstar_arrangement::traits::{
-    Along, BasicTraits, BoundaryTraits, ContractedBottomTopTraits, CurveEnd, IdentifiedLeftRightTraits,
-    Intersection, Location, Meeting, Multiplicity, NearBottomTopTraits, NearLeftRightTraits,
-    OpenBottomTopTraits, SideKind, Sides, UMonotoneTraits, Window,
+    Along, BasicTraits, BoundaryTraits, ClosedBottomTopTraits, ContractedBottomTopTraits, CurveEnd,
+    IdentifiedLeftRightTraits, Intersection, Location, Meeting, Multiplicity, NearBottomTopTraits,
+    NearLeftRightTraits, OpenBottomTopTraits, SideKind, Sides, UMonotoneTraits, Window,
 };
 use std::cmp::Ordering;
 
@@ -240,6 +240,7 @@ impl<const MEET_ONCE: bool> NearBottomTopTraits for Strip<MEET_ONCE> {
     }
 }
 
+impl<const MEET_ONCE: bool> ClosedBottomTopTraits for Strip<MEET_ONCE> {}
 impl<const MEET_ONCE: bool> OpenBottomTopTraits for Strip<MEET_ONCE> {}
 impl<const MEET_ONCE: bool> ContractedBottomTopTraits for Strip<MEET_ONCE> {}
 
@@ -259,7 +260,11 @@ pub(crate) struct Band(pub(crate) [SideKind; 2]);
 
 impl<G> Topology<G> for Band
 where
-    G: IdentifiedLeftRightTraits + NearLeftRightTraits + OpenBottomTopTraits + ContractedBottomTopTraits,
+    G: IdentifiedLeftRightTraits
+        + NearLeftRightTraits
+        + ClosedBottomTopTraits
+        + OpenBottomTopTraits
+        + ContractedBottomTopTraits,
 {
     fn sides(&self) -> Sides {
         Sides { u: [SideKind::Identified; 2], v: self.0 }
