@@ -66,9 +66,16 @@ impl<const MEET_ONCE: bool> Strip<MEET_ONCE> {
         Location { u: along(place, compare_x), v }
     }
 
+    /// The point that a contracted side is: one outside the strip, because none inside is like another.
+    fn pole(&self, side: usize) -> Option<Point2> {
+        let pole = Point2::from_i64([-1, [0, self.size[1]][side]]);
+        (self.v[side] == SideKind::Contracted).then_some(pole)
+    }
+
     fn point_of_place(&self, place: &Point2) -> Option<Point2> {
         match self.location(place) {
-            Location { v: Along::Low | Along::High, .. } => None,
+            Location { v: Along::Low, .. } => self.pole(0),
+            Location { v: Along::High, .. } => self.pole(1),
             Location { u: Along::High, .. } => Some(place.translated(&[(-self.size[0]).into(), 0.into()])),
             _ => Some(place.clone()),
         }
@@ -133,7 +140,8 @@ impl<const MEET_ONCE: bool> BasicTraits for Strip<MEET_ONCE> {
     }
 
     fn is_on_curve(&self, p: &Point2, curve: &Piece) -> bool {
-        self.places(p).iter().any(|place| SegmentTraits.is_on_curve(place, &curve.segment))
+        let is_end = curve.points.iter().flatten().any(|end| end == p);
+        is_end || self.places(p).iter().any(|place| SegmentTraits.is_on_curve(place, &curve.segment))
     }
 }
 
