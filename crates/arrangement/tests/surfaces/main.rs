@@ -9,3 +9,4 @@ mod random;
 mod rectangle;
 mod strip;
 mod tables;
+mod transposed;

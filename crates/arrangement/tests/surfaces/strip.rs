@@ -48,7 +48,7 @@ impl Piece {
 
 impl<const MEET_ONCE: bool> Strip<MEET_ONCE> {
     /// Where a place in the closed strip is.
-    fn location(&self, place: &Point2) -> Location {
+    pub(crate) fn location(&self, place: &Point2) -> Location {
         let along = |at: &Point2, compare: fn(&Point2, &Point2) -> Ordering| {
             if compare(at, &Point2::from_i64([0, 0])).is_eq() {
                 Along::Low
@@ -72,13 +72,17 @@ impl<const MEET_ONCE: bool> Strip<MEET_ONCE> {
         (self.v[side] == SideKind::Contracted).then_some(pole)
     }
 
-    fn point_of_place(&self, place: &Point2) -> Option<Point2> {
+    pub(crate) fn point_of_place(&self, place: &Point2) -> Option<Point2> {
         match self.location(place) {
             Location { v: Along::Low, .. } => self.pole(0),
             Location { v: Along::High, .. } => self.pole(1),
             Location { u: Along::High, .. } => Some(place.translated(&[(-self.size[0]).into(), 0.into()])),
             _ => Some(place.clone()),
         }
+    }
+
+    pub(crate) fn is_on_seam(&self, p: &Point2) -> bool {
+        compare_x(p, &Point2::from_i64([0, 0])).is_eq()
     }
 
     pub(crate) fn piece(&self, segment: Segment) -> Piece {
@@ -254,7 +258,7 @@ impl<const MEET_ONCE: bool> ContractedBottomTopTraits for Strip<MEET_ONCE> {}
 
 impl<const MEET_ONCE: bool> IdentifiedLeftRightTraits for Strip<MEET_ONCE> {
     fn is_on_left_right(&self, p: &Point2) -> bool {
-        compare_x(p, &Point2::from_i64([0, 0])).is_eq()
+        self.is_on_seam(p)
     }
 
     fn compare_v_on_left_right(&self, p: &Point2, q: &Point2) -> Ordering {
