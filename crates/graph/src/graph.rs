@@ -147,12 +147,14 @@ impl<'a, C: Cells, D: Way, N, E> CellGraph<'a, C, D, N, E> {
     /// A weight that cannot be copied is given by reference.
     ///
     /// ```
-    /// use exact::planar::Point2;
     /// use petgraph::visit::{IntoNodeReferences, NodeRef};
+    /// use arrangement::traits::BasicTraits;
     /// use arrangement::{Arrangement, models::{Linear, LinearTraits}, topology::UnboundedPlane};
     /// use splitstar_graph::Primal;
     ///
-    /// let [p, q, r] = [[0, 0], [1, 0], [0, 1]].map(Point2::from_i64);
+    /// type Point = <LinearTraits as BasicTraits>::Point;
+    ///
+    /// let [p, q, r] = [[0, 0], [1, 0], [0, 1]].map(Point::from_i64);
     /// let lines = [Linear::line(&p, &q), Linear::line(&p, &r)].map(|line| line.expect("the points are different"));
     /// let arrangement = Arrangement::of_curves(LinearTraits, UnboundedPlane, &lines);
     /// let graph = Primal::new(&arrangement).with_node_weights(|v| arrangement.point(v));

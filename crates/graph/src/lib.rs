@@ -45,19 +45,21 @@
 //! Lines divide the plane into faces that can be coloured with two colours:
 //!
 //! ```
-//! use exact::planar::Point2;
 //! use petgraph::algo::is_bipartite_undirected;
+//! use arrangement::traits::BasicTraits;
 //! use arrangement::{Arrangement, models::{Linear, LinearTraits}, topology::UnboundedPlane};
 //! use splitstar_graph::Dual;
 //!
-//! let points = [[0, 0], [3, 1], [1, 4], [5, 5]].map(Point2::from_i64);
+//! type Point = <LinearTraits as BasicTraits>::Point;
+//!
+//! let points = [[0, 0], [3, 1], [1, 4], [5, 5]].map(Point::from_i64);
 //! let lines = (0..4).map(|i| Linear::line(&points[i], &points[(i + 1) % 4]).expect("the points are different"));
 //! let arrangement = Arrangement::of_curves(LinearTraits, UnboundedPlane, &lines.collect::<Vec<_>>());
 //! assert!(is_bipartite_undirected(Dual::new(&arrangement), arrangement.corner_face()));
 //! ```
 //!
 //! # References
-//! Thesis, section 2.3.1, and CGAL, "2D Arrangements", chapter on the Boost graph library: the adaptors have the same purpose.
+//! The manual of CGAL, "2D Arrangements", "Adapting to Boost Graphs": adaptors of the same purpose.
 
 mod cells;
 mod graph;

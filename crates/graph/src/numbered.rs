@@ -17,14 +17,16 @@ use petgraph::visit::{
 ///
 /// # Examples
 /// ```
-/// use exact::planar::Point2;
 /// use petgraph::algo::connected_components;
+/// use arrangement::traits::BasicTraits;
 /// use arrangement::{Arrangement, models::{Linear, LinearTraits}, topology::UnboundedPlane};
 /// use splitstar_graph::{Dual, Numbered, Primal};
 ///
+/// type Point = <LinearTraits as BasicTraits>::Point;
+///
 /// // Two lines that cross, and a segment elsewhere.
-/// let [p, q, r, s] = [[0, 0], [1, 0], [0, 1], [1, 1]].map(Point2::from_i64);
-/// let curves = [Linear::line(&p, &q), Linear::line(&p, &r), Linear::segment(s, Point2::from_i64([2, 3]))];
+/// let [p, q, r, s] = [[0, 0], [1, 0], [0, 1], [1, 1]].map(Point::from_i64);
+/// let curves = [Linear::line(&p, &q), Linear::line(&p, &r), Linear::segment(s, Point::from_i64([2, 3]))];
 /// let curves = curves.map(|curve| curve.expect("the points are different"));
 /// let arrangement = Arrangement::of_curves(LinearTraits, UnboundedPlane, &curves);
 /// assert_eq!(connected_components(&Numbered::new(Primal::new(&arrangement))), 2);

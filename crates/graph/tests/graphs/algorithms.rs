@@ -1,10 +1,9 @@
 //! Algorithms of `petgraph` against counts of the arrangement and against brute force.
 
-use crate::cases::{Bounded, Case, Torus, Unbounded, cases, line, segment};
+use crate::cases::{Bounded, Case, Point2, Torus, Unbounded, cases, line, segment};
 use arrangement::models::{LinearTraits, SegmentTraits, TorusSegmentTraits};
 use arrangement::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
 use dcel::{EdgeMap, HalfedgeMap, VertexId};
-use exact::planar::Point2;
 use petgraph::algo::{
     astar, connected_components, dijkstra, floyd_warshall, has_path_connecting, is_cyclic_directed,
     is_isomorphic, kosaraju_scc, min_spanning_tree, tarjan_scc, toposort,

@@ -5,7 +5,6 @@ use arrangement::topology::{BoundedPlane, FlatTorus, Topology, UnboundedPlane};
 use arrangement::traits::BasicTraits;
 use arrangement::{Arrangement, Counts, Pieces};
 use dcel::{Dcel, EdgeId, EndFate, FaceId, Side, VertexId};
-use exact::planar::Point2;
 use splitstar_graph::{Dual, Primal};
 use testkit::Rng;
 
@@ -50,6 +49,8 @@ impl<G: BasicTraits, T: Topology<G>> Case for Arrangement<G, T> {
     }
 }
 
+/// A point of the plane, of all families here.
+pub(crate) type Point2 = <SegmentTraits as BasicTraits>::Point;
 pub(crate) type Bounded = Arrangement<SegmentTraits, BoundedPlane>;
 pub(crate) type Unbounded = Arrangement<LinearTraits, UnboundedPlane>;
 pub(crate) type Torus = Arrangement<TorusSegmentTraits, FlatTorus>;

@@ -142,9 +142,37 @@ fn check(name: &str, case: &dyn Case) {
 
 #[test]
 fn every_graph_is_that_of_its_copy() {
+    let mut seen = [0; 8];
     for (name, case) in cases(20_261_122, 160) {
         check(&name, &*case);
+        for (sum, found) in seen.iter_mut().zip(degeneracies(&*case)) {
+            *sum += usize::from(found);
+        }
     }
+    assert!(seen.iter().all(|&cases| cases >= 2), "{seen:?}");
+}
+
+/// Whether there are loops, parallel edges, edges with both ends at infinity, edges with one face, faces with several edges in
+/// common, faces with three CCBs, isolated vertices, gaps in the ids.
+fn degeneracies(case: &dyn Case) -> [bool; 8] {
+    let dcel = case.dcel();
+    let is_inside = |e: &EdgeId| !dcel.ends(*e).into_iter().any(|v| case.is_at_infinity(v));
+    let has_twice = |mut pairs: Vec<[u32; 2]>| {
+        pairs.iter_mut().for_each(|pair| pair.sort_unstable());
+        pairs.sort_unstable();
+        pairs.windows(2).any(|two| two[0] == two[1])
+    };
+    let faces = |e: EdgeId| [dcel.face(e.halfedge()).0, dcel.face(e.halfedge().twin()).0];
+    [
+        dcel.edges().filter(is_inside).any(|e| dcel.ends(e)[0] == dcel.ends(e)[1]),
+        has_twice(dcel.edges().filter(is_inside).map(|e| dcel.ends(e).map(|v| v.0)).collect()),
+        dcel.edges().any(|e| dcel.ends(e).into_iter().all(|v| case.is_at_infinity(v))),
+        dcel.edges().any(|e| faces(e)[0] == faces(e)[1]),
+        has_twice(dcel.edges().map(faces).collect()),
+        dcel.faces().any(|f| dcel.face_ccbs(f).count() >= 3),
+        dcel.vertices().any(|v| dcel.isolated_face(v).is_some() && !case.is_at_infinity(v)),
+        dcel.vertex_count() < dcel.vertex_bound() && dcel.face_count() < dcel.face_bound(),
+    ]
 }
 
 #[test]
