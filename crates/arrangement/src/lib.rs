@@ -12,6 +12,7 @@
 //! | [`wrappers`] | traits around traits: they count or trace calls, or carry data along curves |
 //! | [`sweep`] | the algorithm: events from left to right, told to a visitor that may stop it |
 //! | [`overlay`] | all cells of several arrangements cut by one another, with provenance |
+//! | [`edit`] | the primitive changes of an arrangement, and those who watch them |
 //! | [`Arrangement`] | the cells: [`Arrangement::of_curves`], [`Arrangement::insert_curves`], [`Arrangement::counts`] |
 //! | [`Pieces`] | u-monotone curves and points, for [`Arrangement::of_pieces`]; with curves that are to be cut, [`Arrangement::of_curves_and_points`], [`Arrangement::insert_points`] |
 //! | [`Arrangement::user_view`], [`Arrangement::check_valid`], [`Arrangement::is_isomorphic`] | cells without artificial vertices; violations; comparison |
@@ -139,6 +140,8 @@
 //! ```
 
 mod arrangement;
+pub mod edit;
+mod editor;
 mod insert;
 pub mod models;
 pub mod overlay;
@@ -146,10 +149,13 @@ mod queries;
 pub mod sweep;
 pub mod topology;
 pub mod traits;
+mod trapezoids;
 pub mod wrappers;
+mod zone;
 
 pub use arrangement::{
     Arrangement, CellOrder, Counts, CurveId, Difference, Parts, UserEdgeId, UserView, Violation,
 };
+pub use editor::Editor;
 pub use insert::Pieces;
 pub use queries::{CommonEnds, do_any_meet, intersections, locate_all, subcurves};

@@ -7,7 +7,7 @@
 //! | making it | `build`, `assemble`, `parts` | cells from a sweep; an arrangement from cells and supports, or from anybody's |
 //! | order | `order` | one order of all cells |
 
-mod around;
+pub(crate) mod around;
 pub(crate) mod assemble;
 pub(crate) mod build;
 mod counts;
@@ -24,6 +24,7 @@ pub use parts::Parts;
 pub use validity::Violation;
 pub use view::{UserEdgeId, UserView};
 
+use crate::edit::Stamp;
 use crate::topology::Topology;
 use crate::traits::{BasicTraits, UMonotoneTraits};
 use dcel::{Dcel, EdgeId, FaceId, HalfedgeId, VertexId};
@@ -62,6 +63,8 @@ pub struct Arrangement<G: BasicTraits, T> {
     pub(crate) curves: Vec<G::UMonotoneCurve>,
     /// For each edge, its curve.
     pub(crate) supports: Vec<u32>,
+    /// Another one after every change.
+    pub(crate) stamp: Stamp,
 }
 
 impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
@@ -76,6 +79,7 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
             is_artificial: built.is_artificial,
             curves: Vec::new(),
             supports: Vec::new(),
+            stamp: Stamp::fresh(),
         }
     }
 

@@ -204,6 +204,16 @@ where
         self.traits.next_meeting(&below.curve, &above.curve, window)
     }
 
+    #[inline]
+    fn end_of_overlap(
+        &self,
+        a: &Self::UMonotoneCurve,
+        b: &Self::UMonotoneCurve,
+        p: Option<&Self::Point>,
+    ) -> Option<Self::Point> {
+        self.traits.end_of_overlap(&a.curve, &b.curve, p)
+    }
+
     fn trim(
         &self,
         curve: &Self::UMonotoneCurve,

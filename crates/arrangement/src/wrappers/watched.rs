@@ -116,6 +116,16 @@ impl<G: UMonotoneTraits, W: Watch> UMonotoneTraits for WatchedTraits<G, W> {
         watched!(self, NextMeeting, next_meeting(curve below, curve above, plain window))
     }
 
+    #[inline]
+    fn end_of_overlap(
+        &self,
+        a: &Self::UMonotoneCurve,
+        b: &Self::UMonotoneCurve,
+        p: Option<&Self::Point>,
+    ) -> Option<Self::Point> {
+        watched!(self, EndOfOverlap, end_of_overlap(curve a, curve b, plain p))
+    }
+
     fn trim(
         &self,
         curve: &Self::UMonotoneCurve,

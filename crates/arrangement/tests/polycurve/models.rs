@@ -84,6 +84,22 @@ fn chains_may_be_unbounded() {
     assert_eq!(drawn.len(), 3, "joints are drawn once: {drawn:?}");
 }
 
+/// The line has no end with which the joint on its left could be compared.
+#[test]
+fn a_vertical_line_is_not_over_before_joints_on_its_left() {
+    let traits = PolycurveTraits::new(LinearTraits);
+    let upright = traits.make_polycurve([Linear::line(&p(5, 0), &p(5, 6)).unwrap()]).unwrap();
+    let roof = traits.make_polyline([p(0, 3), p(2, 5), p(6, 1)]).unwrap();
+    for curves in [[&upright, &roof], [&roof, &upright]] {
+        let arrangement = Arrangement::of_curves(traits, UnboundedPlane, curves);
+        assert_eq!(arrangement.check_valid(), []);
+        assert!(arrangement.vertices().any(|v| arrangement.point(v) == Some(&p(5, 2))), "the crossing");
+        // Both ends of the roof, and the crossing.
+        let counts = arrangement.counts();
+        assert_eq!([counts.vertices, counts.edges, counts.faces], [3, 4, 2]);
+    }
+}
+
 #[test]
 fn chains_on_a_torus_are_cut_at_its_sides() {
     let pieces = TorusSegmentTraits::new([10.into(), 10.into()]).unwrap();
