@@ -11,18 +11,14 @@
 //! | observers | `mirror`, `undo` | a copy kept by what is told alone; what takes changes back |
 //! | rules | `turns` | the kinds of CCBs after an edge came or went |
 
-#[cfg_attr(not(test), allow(dead_code, reason = "for the editor"))]
 mod apply;
 mod mirror;
 mod observer;
-#[cfg_attr(not(test), allow(dead_code, reason = "for the editor"))]
 mod primitive;
 mod stamp;
 #[cfg(test)]
 mod tests;
-#[cfg_attr(not(test), allow(dead_code, reason = "for the editor"))]
 mod turns;
-#[cfg_attr(not(test), allow(dead_code, reason = "for the editor"))]
 mod undo;
 
 pub use mirror::{Mirror, MirrorDifference};
