@@ -61,7 +61,6 @@ fn lines_and_rays() {
 }
 
 #[test]
-#[ignore = "faces across seams are not connected yet"]
 fn paths_on_a_torus() {
     let traits = TorusSegmentTraits::new([4.into(), 4.into()]).expect("the periods are positive");
     for seed in 1..200 {
