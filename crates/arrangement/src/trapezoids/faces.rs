@@ -26,6 +26,12 @@ pub(super) struct Visits {
 }
 
 impl Visits {
+    /// Uses up the numbers for marks, but for one visit.
+    #[cfg(test)]
+    pub(super) fn use_up(&mut self) {
+        self.last = u32::MAX - 3;
+    }
+
     /// Begins a visit among a number of trapezoids, and gives the marks of two parts.
     fn begin(&mut self, count: usize) -> [u32; 2] {
         if self.last > u32::MAX - 2 {
@@ -204,7 +210,7 @@ impl<G: BasicTraits> Trapezoids<G> {
         true
     }
 
-    /// The CCBs along trapezoids, and the isolated vertices between them; each once.
+    /// The CCBs along trapezoids, and the isolated vertices between them that are points; each once.
     pub(crate) fn contents<T: Topology<G>>(
         &self,
         arrangement: &Arrangement<G, T>,
