@@ -141,6 +141,7 @@
 
 mod arrangement;
 pub mod edit;
+mod editor;
 mod insert;
 pub mod models;
 pub mod overlay;
@@ -150,9 +151,11 @@ pub mod topology;
 pub mod traits;
 mod trapezoids;
 pub mod wrappers;
+mod zone;
 
 pub use arrangement::{
     Arrangement, CellOrder, Counts, CurveId, Difference, Parts, UserEdgeId, UserView, Violation,
 };
+pub use editor::Editor;
 pub use insert::Pieces;
 pub use queries::{CommonEnds, do_any_meet, intersections, locate_all, subcurves};

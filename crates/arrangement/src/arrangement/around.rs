@@ -4,6 +4,7 @@ use super::Arrangement;
 use crate::topology::{Site, SiteAt, Topology};
 use crate::traits::{Along, CurveEnd, Location, UMonotoneTraits};
 use dcel::{HalfedgeId, VertexId};
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
@@ -36,34 +37,36 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// The order begins after the direction straight down, at a vertex that stands for sides of the parameter space at the lower
     /// right corner. `Equal` means that the halfedges overlap.
     pub(crate) fn compare_around(&self, a: HalfedgeId, b: HalfedgeId) -> Ordering {
-        let sites = [a, b].map(|h| self.start_site(h));
-        let [sector_a, sector_b] =
-            [0, 1].map(|i| sector([a, b][i], sites[i].location, sites[i].point().is_some()));
-        sector_a.cmp(&sector_b).then_with(|| match sites[0].point() {
+        self.compare_rays(&self.ray(a), &self.ray(b))
+    }
+
+    /// How a halfedge leaves its source.
+    pub(crate) fn ray(&self, h: HalfedgeId) -> Ray<'_, G> {
+        let curve = if h.is_even() || G::MEET_ONCE {
+            Cow::Borrowed(self.curve_of(h.edge_id()))
+        } else {
+            // Supports may meet to the left of here; edges do not.
+            Cow::Owned(self.make_edge_curve(h.edge_id()))
+        };
+        Ray { site: self.start_site(h), curve, is_even: h.is_even() }
+    }
+
+    /// Compares how two halfedges leave one vertex: see [`Arrangement::compare_around`].
+    pub(crate) fn compare_rays(&self, a: &Ray<'_, G>, b: &Ray<'_, G>) -> Ordering {
+        a.sector().cmp(&b.sector()).then_with(|| match a.site.point() {
             None => {
-                let order = self.topology.compare_sites(&self.traits, &sites[0], &sites[1]);
+                let order = self.topology.compare_sites(&self.traits, &a.site, &b.site);
                 // Along the sides counterclockwise, so around the vertex clockwise.
-                if matches!(sites[0].location, Location { u: Along::High, .. })
-                    || sites[0].location == (Location { u: Along::Inside, v: Along::Low })
+                if matches!(a.site.location, Location { u: Along::High, .. })
+                    || a.site.location == (Location { u: Along::Inside, v: Along::Low })
                 {
                     order.reverse()
                 } else {
                     order
                 }
             }
-            Some(point) if a.is_even() => {
-                let [a, b] = [a, b].map(|h| self.curve_of(h.edge_id()));
-                self.traits.compare_v_at_u_right(a, b, point)
-            }
-            Some(point) if G::MEET_ONCE => {
-                let [a, b] = [a, b].map(|h| self.curve_of(h.edge_id()));
-                self.traits.compare_v_at_u_left(b, a, point)
-            }
-            // Supports may meet to the left of here; edges do not.
-            Some(point) => {
-                let [a, b] = [a, b].map(|h| self.make_edge_curve(h.edge_id()));
-                self.traits.compare_v_at_u_left(&b, &a, point)
-            }
+            Some(point) if a.is_even => self.traits.compare_v_at_u_right(&a.curve, &b.curve, point),
+            Some(point) => self.traits.compare_v_at_u_left(&b.curve, &a.curve, point),
         })
     }
 
@@ -75,21 +78,35 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     }
 }
 
-/// The directions of one kind, counterclockwise.
-fn sector(h: HalfedgeId, location: Location, is_point: bool) -> u32 {
-    if !is_point {
-        return match location {
-            Location { u: Along::High, .. } => 3,
-            Location { u: Along::Low, .. } => 1,
-            Location { v: Along::High, .. } => 2,
-            _ => 0,
-        };
-    }
-    match (h.is_even(), location) {
-        (true, Location { v: Along::High, .. }) => 0,
-        (true, _) => 1,
-        (false, Location { u: Along::Low, .. }) => 4,
-        (false, Location { v: Along::High, .. }) => 3,
-        (false, _) => 2,
+/// How a halfedge leaves its source.
+#[derive(Debug)]
+pub(crate) struct Ray<'a, G: UMonotoneTraits> {
+    /// Where that is.
+    pub(crate) site: Site<'a, G>,
+    /// The curve. If curves may meet more than once, one that leaves to the left ends where the halfedge does.
+    pub(crate) curve: Cow<'a, G::UMonotoneCurve>,
+    /// Whether it leaves to the right.
+    pub(crate) is_even: bool,
+}
+
+impl<G: UMonotoneTraits> Ray<'_, G> {
+    /// The directions of one kind, counterclockwise.
+    fn sector(&self) -> u32 {
+        let location = self.site.location;
+        if self.site.point().is_none() {
+            return match location {
+                Location { u: Along::High, .. } => 3,
+                Location { u: Along::Low, .. } => 1,
+                Location { v: Along::High, .. } => 2,
+                _ => 0,
+            };
+        }
+        match (self.is_even, location) {
+            (true, Location { v: Along::High, .. }) => 0,
+            (true, _) => 1,
+            (false, Location { u: Along::Low, .. }) => 4,
+            (false, Location { v: Along::High, .. }) => 3,
+            (false, _) => 2,
+        }
     }
 }

@@ -7,7 +7,7 @@
 //! | making it | `build`, `assemble`, `parts` | cells from a sweep; an arrangement from cells and supports, or from anybody's |
 //! | order | `order` | one order of all cells |
 
-mod around;
+pub(crate) mod around;
 pub(crate) mod assemble;
 pub(crate) mod build;
 mod counts;

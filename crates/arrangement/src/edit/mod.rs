@@ -12,10 +12,18 @@
 //! | rules | `turns` | the kinds of CCBs after an edge came or went |
 
 mod apply;
+mod mirror;
 mod observer;
 mod primitive;
 mod stamp;
+#[cfg(test)]
+mod tests;
+mod turns;
+mod undo;
 
+pub use mirror::{Mirror, MirrorDifference};
 pub use observer::{Observer, Operation};
 pub use primitive::{Done, Edit, EditOf};
 pub use stamp::{Stale, Stamp, Stamped};
+pub(crate) use turns::SettledInsertion;
+pub use undo::{Recorded, Undo};

@@ -39,8 +39,8 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
         let Found::Within(first) = found else {
             unreachable!("only the place itself is looked for at a site")
         };
-        let rail = self.insert_rail(arrangement, curve, ends, first);
-        self.set_edge(rail, e);
+        let new = self.insert_rail(arrangement, curve, ends, first);
+        self.set_edge(new.rail, e);
     }
 
     /// The site where a halfedge begins, added if it is not there.

@@ -18,6 +18,14 @@ pub(crate) enum NewSite {
     End(u32, CurveEnd),
 }
 
+/// A rail that came, and the trapezoids below and above it where it begins and where it ends.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct NewRail {
+    pub(crate) rail: RailId,
+    pub(crate) first: [TrapezoidId; 2],
+    pub(crate) last: [TrapezoidId; 2],
+}
+
 impl<G: BasicTraits> Trapezoids<G> {
     /// Adds a site in the interior of a trapezoid.
     pub(crate) fn add_site(&mut self, at: NewSite, location: Location, t: TrapezoidId) -> SiteId {
@@ -126,13 +134,14 @@ impl<G: BasicTraits> Trapezoids<G> {
         curve: u32,
         ends: [SiteId; 2],
         first: TrapezoidId,
-    ) -> RailId {
+    ) -> NewRail {
         let rail = self.new_rail(Rail { edge: EdgeId::NONE, curve, ends });
         let [a, b] = ends;
         let the_curve = &arrangement.curves()[curve as usize];
         let mut t = first;
         let mut old = self.trapezoids[t.index()];
         let mut parts = [Side::Below, Side::Above].map(|part| self.new_part(&old, part, rail, a));
+        let first_parts = parts;
         for (right, part) in self.sites[a.index()].right.iter_mut().zip(parts) {
             if *right == t {
                 *right = part;
@@ -169,7 +178,7 @@ impl<G: BasicTraits> Trapezoids<G> {
             }
         }
         self.free_trapezoid(t);
-        rail
+        NewRail { rail, first: first_parts, last: parts }
     }
 
     /// The part of a trapezoid below or above a rail, to the right of a site.

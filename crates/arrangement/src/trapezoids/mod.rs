@@ -42,7 +42,8 @@ use crate::arrangement::Arrangement;
 use crate::topology::{Site, SiteAt, Topology};
 use crate::traits::{BasicTraits, CurveEnd, Location};
 use dcel::{EdgeId, VertexId};
-pub(crate) use search::{Found, Toward};
+pub(crate) use insert::{NewRail, NewSite};
+pub(crate) use search::{Found, Toward, compare_right, side};
 use std::cmp::Ordering;
 
 macro_rules! number {

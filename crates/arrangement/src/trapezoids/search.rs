@@ -27,7 +27,7 @@ pub(crate) enum Found {
 }
 
 /// Compares a place with a curve that begins before it and ends behind it: below, on or above it.
-pub(super) fn side<G: BasicTraits, T: Topology<G>>(
+pub(crate) fn side<G: BasicTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     place: &Site<'_, G>,
     curve: &G::UMonotoneCurve,
@@ -55,7 +55,7 @@ pub(super) fn side<G: BasicTraits, T: Topology<G>>(
 }
 
 /// Compares two curves immediately to the right of a place of both.
-fn compare_right<G: BasicTraits, T: Topology<G>>(
+pub(crate) fn compare_right<G: BasicTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     a: &G::UMonotoneCurve,
     b: &G::UMonotoneCurve,
@@ -115,17 +115,44 @@ impl<G: BasicTraits> Trapezoids<G> {
         }
     }
 
+    /// The trapezoid in which a curve leaves a site to the right; above, if it runs along an edge. Notes how long that took.
+    ///
+    /// # Complexity
+    /// Constant if no edge leaves the site to the right; else that of a search.
+    pub(crate) fn first_of<T: Topology<G>>(
+        &mut self,
+        arrangement: &Arrangement<G, T>,
+        site: SiteId,
+        curve: &G::UMonotoneCurve,
+    ) -> TrapezoidId {
+        let [below, above] = self.right_of(site);
+        if below == above {
+            return above;
+        }
+        let place = self.place(arrangement, site);
+        match self.search(arrangement, &place, &Toward::Right(curve, Side::Above)) {
+            (Found::Within(t), steps) => {
+                self.note_steps(steps);
+                t
+            }
+            (Found::Site(_), _) => unreachable!("only the place itself is looked for at a site"),
+        }
+    }
+
     /// Finds a place while the arrangement is edited: notes how long that took.
     pub(crate) fn find<T: Topology<G>>(
         &mut self,
         arrangement: &Arrangement<G, T>,
         place: &Site<'_, G>,
-        toward: &Toward<'_, G>,
     ) -> Found {
-        let (found, steps) = self.search(arrangement, place, toward);
+        let (found, steps) = self.search(arrangement, place, &Toward::Here);
+        self.note_steps(steps);
+        found
+    }
+
+    fn note_steps(&mut self, steps: u32) {
         let usual = 6 * (self.trapezoids.len().ilog2() + 1);
         self.excess += u64::from(steps.saturating_sub(usual));
-        found
     }
 
     /// Tells whether searches took so long that it pays to build all anew.
@@ -133,18 +160,5 @@ impl<G: BasicTraits> Trapezoids<G> {
         // Dead nodes count too: they are memory.
         let size = self.count() as u64;
         self.excess > 64 + 8 * size || self.nodes.len() as u64 > 64 + 16 * size
-    }
-
-    /// The trapezoid of a place that is known not to be a site.
-    pub(crate) fn within<T: Topology<G>>(
-        &mut self,
-        arrangement: &Arrangement<G, T>,
-        place: &Site<'_, G>,
-        toward: &Toward<'_, G>,
-    ) -> TrapezoidId {
-        match self.find(arrangement, place, toward) {
-            Found::Within(t) => t,
-            Found::Site(_) => unreachable!("only the place itself is looked for at a site"),
-        }
     }
 }

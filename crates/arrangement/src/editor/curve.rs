@@ -1,0 +1,187 @@
+//! A curve comes, wherever it runs.
+
+use super::Editor;
+use super::place::At;
+use crate::arrangement::{CurveId, assemble::covers};
+use crate::edit::{Edit, Observer, Operation};
+use crate::topology::{Site, Topology};
+use crate::traits::{ArrangementTraits, CurveEnd, Intersection, Location, Piece, UMonotoneTraits};
+use crate::trapezoids::{SiteId, TrapezoidId, compare_right};
+use crate::zone::{Hit, Walk};
+use dcel::EdgeId;
+
+/// What to do next with a curve.
+enum Next<P> {
+    /// It runs along an edge to its end, or to a point of its interior.
+    Along(EdgeId, Option<P>),
+    /// It runs through a face from a trapezoid on.
+    Through(TrapezoidId, Hit<P>),
+}
+
+impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
+    /// Inserts a general curve.
+    ///
+    /// # Complexity
+    /// For each edge, vertex and face that the curve meets, expected O(log n) if curves come in random order, and what the splitting of
+    /// faces costs: see [`Editor`].
+    ///
+    /// # References
+    /// Thesis, section 2.4.3.
+    pub fn insert_curve(&mut self, curve: &G::Curve) -> Vec<EdgeId> {
+        let mut pieces = Vec::new();
+        self.arrangement.traits().make_u_monotone(curve, &mut pieces);
+        self.operate(Operation::InsertCurve, |editor| {
+            let mut edges = Vec::new();
+            for piece in pieces {
+                match piece {
+                    Piece::Curve { curve, is_artificial } => editor.run(curve, is_artificial, &mut edges),
+                    Piece::Point(point) => {
+                        editor.add_point(&point);
+                    }
+                }
+            }
+            edges
+        })
+    }
+}
+
+impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
+    /// Inserts a u-monotone curve, and appends the edges that run along it, as they are when they are made.
+    pub(super) fn run(
+        &mut self,
+        curve: G::UMonotoneCurve,
+        is_artificial: [bool; 2],
+        edges: &mut Vec<EdgeId>,
+    ) {
+        let edit = Edit::AddCurve { curve };
+        let id = self.arrangement.apply(edit, &mut self.observers).curve();
+        let start = self.vertex_at_end(id, CurveEnd::Min, is_artificial[0]);
+        let mut at = start;
+        loop {
+            let (next, is_end) = match self.next_of(id, at.site) {
+                Next::Along(e, until) => {
+                    let next = self.run_along(e, until, edges);
+                    let is_end = self.is_end(id, next.site);
+                    self.share_support(edges[edges.len() - 1], id);
+                    (next, is_end)
+                }
+                Next::Through(first, hit) => {
+                    let (next, is_end) = match hit {
+                        Hit::Site { site, is_end } => (self.vertex_of(site), is_end),
+                        Hit::Edge { rail, point } => {
+                            (self.split_rail(rail, &point, Location::INTERIOR), false)
+                        }
+                        Hit::End { .. } => (self.vertex_at_end(id, CurveEnd::Max, is_artificial[1]), true),
+                    };
+                    edges.push(self.insert_edge(id, [at, next], first));
+                    (next, is_end)
+                }
+            };
+            at = next;
+            if !(is_end && is_artificial[1]) {
+                self.make_ordinary(at.v);
+            }
+            if is_end {
+                break;
+            }
+        }
+        // Where others are cut too, something happens.
+        for v in [start.v, at.v] {
+            if self.arrangement.dcel().around(v).nth(2).is_some() {
+                self.make_ordinary(v);
+            }
+        }
+    }
+
+    /// The vertex of a site to which a curve has come.
+    fn vertex_of(&self, site: SiteId) -> At {
+        let v = self.trapezoids.vertex(site).or_else(|| self.side_vertex(self.trapezoids.location(site)));
+        At { v: v.expect("a site is of a vertex"), site }
+    }
+
+    fn is_end(&self, curve: CurveId, site: SiteId) -> bool {
+        let arrangement = &self.arrangement;
+        let (traits, topology) = (arrangement.traits(), arrangement.topology());
+        let end = Site::of_end(topology, traits, arrangement.curve(curve), CurveEnd::Max);
+        topology.compare_sites(traits, &self.trapezoids.place(arrangement, site), &end).is_eq()
+    }
+
+    /// Looks where a curve goes from a site on it.
+    fn next_of(&mut self, id: CurveId, site: SiteId) -> Next<G::Point> {
+        let arrangement = &self.arrangement;
+        let curve = arrangement.curve(id);
+        let first = self.trapezoids.first_of(arrangement, site, curve);
+        let place = self.trapezoids.place(arrangement, site);
+        let below = self.trapezoids.trapezoid(first).below;
+        if !below.is_none() && self.trapezoids.rail(below).ends[0] == site {
+            let rail = self.trapezoids.rail(below);
+            let other = &arrangement.curves()[rail.curve as usize];
+            if compare_right(arrangement, curve, other, &place).is_eq() {
+                return Next::Along(rail.edge, self.parting(curve, rail.edge, &place));
+            }
+        }
+        let hit = Walk::new(arrangement, &self.trapezoids, curve, &place, first).run();
+        Next::Through(first, hit)
+    }
+
+    /// Where in the interior of an edge a curve that runs along it from its min vertex on parts from it or ends; `None` if it runs along
+    /// all of it.
+    fn parting(&self, curve: &G::UMonotoneCurve, e: EdgeId, start: &Site<'_, G>) -> Option<G::Point> {
+        let arrangement = &self.arrangement;
+        let (traits, topology) = (arrangement.traits(), arrangement.topology());
+        let max =
+            self.trapezoids.place(arrangement, self.trapezoids.rail(self.trapezoids.rail_of(e)).ends[1]);
+        let end = Site::of_end(topology, traits, curve, CurveEnd::Max);
+        let is_before = |place: &Site<'_, G>| topology.compare_sites(traits, place, &max).is_lt();
+        let end = end.point().filter(|_| is_before(&end)).cloned();
+        if G::MEET_ONCE {
+            return end;
+        }
+        let start = start.point().filter(|_| start.location.is_interior());
+        let parting = traits.end_of_overlap(curve, arrangement.curve_of(e), start);
+        parting.filter(|point| is_before(&Site::of_point(topology, traits, point))).or(end)
+    }
+
+    /// Goes along an edge, which is split where the curve leaves it.
+    fn run_along(&mut self, e: EdgeId, until: Option<G::Point>, edges: &mut Vec<EdgeId>) -> At {
+        edges.push(e);
+        let rail = self.trapezoids.rail_of(e);
+        match until {
+            Some(point) => {
+                let arrangement = &self.arrangement;
+                let location = arrangement.topology().point_location(arrangement.traits(), &point);
+                self.split_rail(rail, &point, location)
+            }
+            None => {
+                let site = self.trapezoids.rail(rail).ends[1];
+                At { v: self.arrangement.dcel().ends(e)[1], site }
+            }
+        }
+    }
+
+    /// Where another curve runs along an edge too, the edge gets what they have in common as its support, if that matters.
+    fn share_support(&mut self, e: EdgeId, curve: CurveId) {
+        if G::OVERLAPS_ARE_PLAIN {
+            return;
+        }
+        let arrangement = &self.arrangement;
+        let traits = arrangement.traits();
+        let mut common = Vec::new();
+        traits.intersect(arrangement.curve_of(e), arrangement.curve(curve), &mut common);
+        let overlaps = common.into_iter().filter_map(|intersection| match intersection {
+            Intersection::Overlap(overlap) => Some(overlap),
+            Intersection::Point(..) => None,
+        });
+        let overlap = overlaps.into_iter().find(|overlap| {
+            let ends = arrangement.dcel().ends(e).map(|v| arrangement.point(v));
+            covers(traits, arrangement.topology(), overlap, ends)
+        });
+        // They overlap along the edge, because the curve was found to.
+        if let Some(overlap) = overlap {
+            let edit = Edit::AddCurve { curve: overlap };
+            let curve = self.arrangement.apply(edit, &mut self.observers).curve();
+            self.arrangement.apply(Edit::SetSupport { e, curve }, &mut self.observers);
+            self.trapezoids.set_curve(e, curve.0);
+        }
+    }
+}

@@ -1,0 +1,107 @@
+//! Curves one by one against all at once.
+
+use super::*;
+use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusSegmentTraits};
+use crate::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
+use crate::traits::ArrangementTraits;
+use exact::planar::Point2;
+
+/// Numbers as good as random.
+struct Numbers(u64);
+
+impl Numbers {
+    fn below(&mut self, bound: i64) -> i64 {
+        self.0 ^= self.0 << 13;
+        self.0 ^= self.0 >> 7;
+        self.0 ^= self.0 << 17;
+        (self.0 % bound as u64) as i64
+    }
+}
+
+fn check<G: ArrangementTraits<Point = Point2> + Clone, T: Topology<G>>(
+    traits: G,
+    topology: T,
+    curves: &[G::Curve],
+    points: &[Point2],
+) {
+    let mut editor = Editor::new(Arrangement::new(traits.clone(), topology.clone()));
+    for (i, point) in points.iter().enumerate() {
+        if i % 2 == 0 {
+            editor.insert_point(point);
+        }
+    }
+    for (i, curve) in curves.iter().enumerate() {
+        editor.insert_curve(curve);
+        assert_eq!(editor.trapezoids.find_faults(&editor.arrangement), Vec::<String>::new());
+        assert_eq!(editor.check_valid(), [], "after curve {i}");
+    }
+    for (i, point) in points.iter().enumerate() {
+        if i % 2 == 1 {
+            editor.insert_point(point);
+        }
+    }
+    assert_eq!(editor.check_valid(), []);
+    let swept = Arrangement::of_curves_and_points(traits, topology, curves, points.iter().cloned());
+    assert_eq!(editor.counts(), swept.counts());
+    assert!(editor.is_isomorphic(&swept));
+}
+
+#[test]
+fn segments() {
+    for seed in 1..200 {
+        println!("seed {seed}");
+        let mut numbers = Numbers(seed * 0x1234_5678_9abc);
+        let n = 1 + numbers.below(12);
+        let size = 3 + numbers.below(6);
+        let segments: Vec<Segment> = (0..n)
+            .filter_map(|_| {
+                let mut point = || [numbers.below(size), numbers.below(size)];
+                Segment::from_i64([point(), point()])
+            })
+            .collect();
+        let points = [[0, 0], [1, 1], [1, 2], [7, 1]].map(Point2::from_i64);
+        check(SegmentTraits, BoundedPlane, &segments, &points);
+    }
+}
+
+#[test]
+fn lines_and_rays() {
+    for seed in 1..200 {
+        println!("seed {seed}");
+        let mut numbers = Numbers(seed * 0x1234_5678_9abc);
+        let n = 1 + numbers.below(10);
+        let size = 2 + numbers.below(4);
+        let curves: Vec<Linear> = (0..n)
+            .filter_map(|_| {
+                let mut point = || Point2::from_i64([numbers.below(size), numbers.below(size)]);
+                let (p, q) = (point(), point());
+                match numbers.below(3) {
+                    0 => Linear::line(&p, &q),
+                    1 => Linear::ray(p, &q),
+                    _ => Linear::segment(p, q),
+                }
+            })
+            .collect();
+        let points = [[0, 0], [1, 1], [7, 1]].map(Point2::from_i64);
+        check(LinearTraits, UnboundedPlane, &curves, &points);
+    }
+}
+
+#[test]
+fn paths_on_a_torus() {
+    let traits = TorusSegmentTraits::new([4.into(), 4.into()]).expect("the periods are positive");
+    for seed in 1..200 {
+        println!("seed {seed}");
+        let mut numbers = Numbers(seed * 0x1234_5678_9abc);
+        let n = 1 + numbers.below(6);
+        let paths: Vec<_> = (0..n)
+            .filter_map(|_| {
+                let start = Point2::from_i64([numbers.below(4), numbers.below(4)]);
+                let way = [numbers.below(9) - 4, numbers.below(9) - 4].map(exact::Rational::from);
+                traits.path(&start, &way).ok()
+            })
+            .collect();
+        let points = [[0, 0], [1, 1], [0, 3]].map(Point2::from_i64);
+        check(traits.clone(), FlatTorus, &paths, &points);
+    }
+}
