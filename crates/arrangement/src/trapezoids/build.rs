@@ -4,7 +4,7 @@ use super::insert::NewSite;
 use super::{Found, SiteId, Toward, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::{Site, SiteAt, Topology};
-use crate::traits::{BasicTraits, CurveEnd, UMonotoneTraits};
+use crate::traits::{CurveEnd, UMonotoneTraits};
 use dcel::{EdgeId, HalfedgeId, VertexId};
 
 impl<G: UMonotoneTraits> Trapezoids<G> {
