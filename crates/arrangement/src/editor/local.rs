@@ -3,25 +3,15 @@
 use super::Editor;
 use super::curve::Next;
 use super::place::At;
-use crate::arrangement::assemble::covers;
+use crate::arrangement::CurveId;
 use crate::edit::{Edit, Observer, Operation};
 use crate::overlay::Cell;
 use crate::topology::{Site, Topology};
-use crate::traits::{CurveEnd, Intersection, UMonotoneTraits};
+use crate::traits::{CurveEnd, UMonotoneTraits};
 use crate::trapezoids::{Found, NewSite, side};
 use crate::zone::Hit;
 use dcel::{EdgeId, FaceId, VertexId};
 
-/// An edge that was split.
-#[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
-pub struct SplitEdge {
-    /// The vertex between the two parts.
-    pub vertex: VertexId,
-    /// The two parts, from left to right: the first one keeps the id.
-    pub parts: [EdgeId; 2],
-}
-
-/// Insertion.
 impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Inserts a point: an isolated vertex in a face, or a vertex that divides an edge. At a vertex, nothing changes, but an artificial one
     /// becomes an ordinary one.
@@ -176,7 +166,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         self.operate(Operation::InsertEdge, |editor| {
             let support = editor.arrangement.apply(Edit::AddCurve { curve }, &mut editor.observers).curve();
             let ends = CurveEnd::BOTH.map(|end| match known[end as usize] {
-                Some(v) => editor.known_vertex(v, editor.arrangement.curve(support).clone(), support, end),
+                Some(v) => editor.known_vertex(v, support, end),
                 None => editor.vertex_at_end(support, end, false),
             });
             let first = if cfg!(debug_assertions) {
@@ -195,13 +185,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     }
 
     /// A known vertex, at the place where a stored curve has an end.
-    fn known_vertex(
-        &mut self,
-        v: VertexId,
-        _: G::UMonotoneCurve,
-        support: crate::arrangement::CurveId,
-        end: CurveEnd,
-    ) -> At {
+    fn known_vertex(&mut self, v: VertexId, support: CurveId, end: CurveEnd) -> At {
         let arrangement = &self.arrangement;
         let (traits, topology) = (arrangement.traits(), arrangement.topology());
         let curve = arrangement.curve(support);
