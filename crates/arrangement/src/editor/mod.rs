@@ -7,13 +7,20 @@
 //! | `edge` | an edge comes, its place around its vertices, and what becomes of the face |
 //! | `rotation` | after which halfedges a new one comes |
 //! | `curve` | a curve comes, wherever it runs |
-//! | `local` | edits whose neighbours are known |
-//! | `remove` | edges and vertices go |
+//! | `local`, `modify` | edits whose neighbours are known; what changes where nothing moves |
+//! | `remove`, `merge` | edges and vertices go; two edges become one |
+//! | `global` | all is numbered anew, dropped, or swept again |
 
 mod curve;
 mod edge;
+mod global;
 mod local;
+mod merge;
+mod modify;
 mod place;
+#[cfg(test)]
+mod removal_tests;
+mod remove;
 mod rotation;
 #[cfg(test)]
 mod tests;
@@ -24,6 +31,9 @@ use crate::overlay::Cell;
 use crate::topology::{Site, Topology};
 use crate::traits::UMonotoneTraits;
 use crate::trapezoids::{Found, Toward, Trapezoids, side};
+pub use global::Renumbering;
+pub use merge::{MergedEdges, VertexNeed, VertexNeeded};
+pub use modify::SplitParts;
 use std::ops::Deref;
 
 /// An arrangement that is edited, with what finds places in it, and observers.
