@@ -3,7 +3,7 @@
 use super::Editor;
 use crate::arrangement::build::Builder;
 use crate::arrangement::{CurveId, Parts};
-use crate::edit::{Observer, Recorded, Stale};
+use crate::edit::{Observer};
 use crate::insert::Pieces;
 use crate::overlay::Provenance;
 use crate::topology::Topology;
@@ -138,34 +138,6 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
             .apply_global(&mut self.observers, |arrangement| arrangement.insert_pieces(pieces));
         self.trapezoids = Trapezoids::of(&self.arrangement);
         provenance
-    }
-
-    /// Takes back an operation that [`Undo`](crate::edit::Undo) recorded, the last one that changed the arrangement. Observers are told the
-    /// changes that this takes.
-    ///
-    /// # Errors
-    /// If the arrangement is not in the state to which the operation led it. Then nothing is changed.
-    ///
-    /// # Complexity
-    /// That of the changes, and expected O(n log n) for what finds places, which is built anew.
-    ///
-    /// # Examples
-    /// ```
-    /// use splitstar_arrangement::{Arrangement, Editor, models::{Segment, SegmentTraits}, topology::BoundedPlane};
-    /// use splitstar_arrangement::edit::Undo;
-    /// let arrangement = Arrangement::new(SegmentTraits, BoundedPlane);
-    /// let undo = Undo::new(&arrangement);
-    /// let mut editor = Editor::with_observers(arrangement, undo)?;
-    /// editor.insert_curve(&Segment::from_i64([[0, 0], [1, 0]]).expect("the ends are different"));
-    /// let last = editor.observers_mut().pop().expect("there was an operation");
-    /// editor.take_back(last)?;
-    /// assert_eq!(editor.arrangement().counts().edges, 0);
-    /// # Ok::<(), splitstar_arrangement::edit::Stale>(())
-    /// ```
-    pub fn take_back(&mut self, recorded: Recorded<G>) -> Result<(), Stale> {
-        recorded.take_back(&mut self.arrangement, &mut self.observers)?;
-        self.trapezoids = Trapezoids::of(&self.arrangement);
-        Ok(())
     }
 }
 

@@ -22,6 +22,7 @@ mod place;
 mod removal_tests;
 mod remove;
 mod rotation;
+mod undo;
 #[cfg(test)]
 mod tests;
 
@@ -127,10 +128,15 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     fn operate<R>(&mut self, operation: Operation, operate: impl FnOnce(&mut Self) -> R) -> R {
         self.observers.begin_operation(&self.arrangement, operation);
         let result = operate(self);
+        self.renew_if_worn();
+        self.observers.end_operation(&self.arrangement, operation);
+        result
+    }
+
+    /// Builds the decomposition anew if searches take too long.
+    fn renew_if_worn(&mut self) {
         if self.trapezoids.is_worn() {
             self.trapezoids = Trapezoids::of(&self.arrangement);
         }
-        self.observers.end_operation(&self.arrangement, operation);
-        result
     }
 }

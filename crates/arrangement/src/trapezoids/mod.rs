@@ -30,6 +30,7 @@
 mod build;
 mod check;
 mod faces;
+mod follow;
 mod insert;
 mod rails;
 mod remove;
@@ -42,6 +43,7 @@ use crate::arrangement::Arrangement;
 use crate::topology::{Site, SiteAt, Topology};
 use crate::traits::{BasicTraits, CurveEnd, Location};
 use dcel::{EdgeId, VertexId};
+pub(crate) use follow::Follower;
 pub(crate) use insert::{NewRail, NewSite};
 pub(crate) use search::{Found, Toward, compare_right, side};
 use std::cmp::Ordering;
