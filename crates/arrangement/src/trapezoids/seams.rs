@@ -120,21 +120,25 @@ impl<G: BasicTraits> Trapezoids<G> {
     fn is_lowest_left(&self, t: TrapezoidId) -> bool {
         let trapezoid = self.trapezoid(t);
         let is_corner = |place: Location| place.u == Along::Low && place.v == Along::Low;
-        match self.place_along(trapezoid.left) {
-            None => !self.place_along(trapezoid.right).is_some_and(is_corner),
-            Some(place) => is_corner(place) && self.right_of(trapezoid.left)[1] == t,
+        // Where the bottom is not identified, there may be several ends in the corner: the interval is above the last.
+        if self.place_along(trapezoid.right).is_some_and(is_corner) {
+            return false;
         }
+        self.place_along(trapezoid.left)
+            .is_none_or(|place| is_corner(place) && self.right_of(trapezoid.left)[1] == t)
     }
 
     /// Whether a trapezoid touches the lowest interval of the right side.
     fn is_lowest_right(&self, t: TrapezoidId) -> bool {
         let trapezoid = self.trapezoid(t);
-        match (self.place_along(trapezoid.left), self.place_along(trapezoid.right)) {
-            (Some(place), _) if place.u == Along::High => place.v == Along::Low,
-            (_, None) => true,
-            (_, Some(place)) => {
-                place.u == Along::High && place.v != Along::Low && self.left_of(trapezoid.right)[0] == t
-            }
+        let is_corner = |place: Location| place.u == Along::High && place.v == Along::Low;
+        let right = self.place_along(trapezoid.right);
+        if right.is_some_and(is_corner) {
+            return false;
+        }
+        match self.place_along(trapezoid.left) {
+            Some(place) if place.u == Along::High => is_corner(place),
+            _ => right.is_none_or(|place| place.u == Along::High && self.left_of(trapezoid.right)[0] == t),
         }
     }
 
