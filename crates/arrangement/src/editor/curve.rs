@@ -95,8 +95,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
 
     /// The vertex of a site to which a curve has come.
     fn vertex_of(&self, site: SiteId) -> At {
-        let v = self.trapezoids.vertex(site).or_else(|| self.side_vertex(self.trapezoids.location(site)));
-        At { v: v.expect("a site is of a vertex"), site }
+        At { v: self.trapezoids.vertex(site), site }
     }
 
     fn is_end(&self, curve: CurveId, site: SiteId) -> bool {
