@@ -1,6 +1,6 @@
 //! Insertions with known neighbours, against sweeps and against `insert_curve`.
 
-use crate::scenes::{Law, Scene, check, for_all, take_back, watch, Watched};
+use crate::scenes::{Law, Scene, Watched, check, for_all, take_back, watch};
 use dcel::{EdgeId, VertexId};
 use exact::planar::Point2;
 use splitstar_arrangement::models::{Segment, SegmentTraits};
@@ -133,7 +133,8 @@ impl Law for CurvesAndBack {
                 states.push(before);
             }
             check(&editor);
-            assert_eq!(editor.arrangement().difference(&scene.sweep(i + 1)), None);
+            let swept = scene.sweep(i + 1);
+            assert_eq!(editor.arrangement().difference(&swept), None);
         }
         take_back(&mut editor, states);
     }
@@ -154,20 +155,26 @@ fn local_insertions_give_what_insert_curve_gives() {
     let [mut by_curve, mut local] =
         [0; 2].map(|_| Editor::new(Arrangement::new(SegmentTraits, BoundedPlane)));
     let plane = local.corner_face();
-    let [a, b] = local.dcel().ends(local.insert_edge_in_face(segment([[0, 0], [9, 0]]), plane));
-    let [_, c] = local.dcel().ends(local.insert_edge_from(b, segment([[9, 0], [9, 9]])));
-    let [d, _] = local.dcel().ends(local.insert_edge_to(segment([[0, 9], [9, 9]]), c));
+    let e = local.insert_edge_in_face(segment([[0, 0], [9, 0]]), plane);
+    let [a, b] = local.dcel().ends(e);
+    let e = local.insert_edge_from(b, segment([[9, 0], [9, 9]]));
+    let [_, c] = local.dcel().ends(e);
+    let e = local.insert_edge_to(segment([[0, 9], [9, 9]]), c);
+    let [d, _] = local.dcel().ends(e);
     local.insert_edge_between([a, d], segment([[0, 0], [0, 9]]));
     let diagonal = local.insert_edge_between([a, c], segment([[0, 0], [9, 9]]));
     let below = local.dcel().face(diagonal.halfedge().twin());
     local.insert_edge_in_face(segment([[6, 1], [8, 3]]), below);
     local.insert_disjoint(segment([[4, 0], [5, 1]]));
-    for ends in
-        [[[0, 0], [9, 0]], [[9, 0], [9, 9]], [[0, 9], [9, 9]], [[0, 0], [0, 9]], [[0, 0], [9, 9]], [
-            [6, 1],
-            [8, 3],
-        ], [[4, 0], [5, 1]]]
-    {
+    for ends in [
+        [[0, 0], [9, 0]],
+        [[9, 0], [9, 9]],
+        [[0, 9], [9, 9]],
+        [[0, 0], [0, 9]],
+        [[0, 0], [9, 9]],
+        [[6, 1], [8, 3]],
+        [[4, 0], [5, 1]],
+    ] {
         by_curve.insert_curve(&segment(ends));
     }
     assert_eq!(by_curve.difference(&local), None);

@@ -43,8 +43,11 @@ pub(crate) trait Law {
 }
 
 fn point(rng: &mut Rng, size: u64) -> Point2 {
-    let denominator = if rng.one_in(6) { 2 } else { 1 };
-    let coordinate = |rng: &mut Rng| Rational::new(rng.below(size * denominator as u64) as i64, denominator);
+    let denominator = if rng.one_in(6) { 2_i64 } else { 1 };
+    let coordinate = |rng: &mut Rng| {
+        let numerator = rng.below(size * denominator as u64) as i64;
+        Rational::new(numerator.into(), denominator.into()).unwrap()
+    };
     let [u, v] = [coordinate(rng), coordinate(rng)];
     Point2::from_rationals(&[u, v])
 }
