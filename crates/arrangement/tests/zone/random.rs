@@ -38,8 +38,12 @@ fn run<G: ArrangementTraits<Point = Point2, Curve: Debug> + Clone, T: Topology<G
             Editor::new(Arrangement::of_curves_and_points(traits, topology, &curves, points))
         } else {
             let mut editor = Editor::new(Arrangement::new(traits, topology));
-            points.iter().for_each(|point| drop(editor.insert_point(point)));
-            curves.iter().for_each(|curve| drop(editor.insert_curve(curve)));
+            for point in &points {
+                editor.insert_point(point);
+            }
+            for curve in &curves {
+                editor.insert_curve(curve);
+            }
             editor
         };
         for _ in 0..3 {
