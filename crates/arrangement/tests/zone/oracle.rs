@@ -356,7 +356,15 @@ pub(crate) fn meets_by_pairs<G: ArrangementTraits<Point = Point2>, T: Topology<G
     traits.make_u_monotone(curve, &mut pieces);
     let (mut meets, mut interior_meets) = (false, false);
     for piece in &pieces {
-        let Piece::Curve { curve, is_artificial } = piece else { continue };
+        let (curve, is_artificial) = match piece {
+            Piece::Curve { curve, is_artificial } => (curve, is_artificial),
+            Piece::Point(p) => {
+                let is_vertex = arrangement.vertices().any(|v| arrangement.point(v) == Some(p));
+                let mut edges = arrangement.dcel().edges().map(|e| arrangement.make_edge_curve(e));
+                meets |= is_vertex || edges.any(|curve| traits.is_on_curve(p, &curve));
+                continue;
+            }
+        };
         let is_end = |p: &Point2| {
             let is = |end: CurveEnd| !is_artificial[end as usize] && traits.end_point(curve, end) == Some(p);
             CurveEnd::BOTH.into_iter().any(is)

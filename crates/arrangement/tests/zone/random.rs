@@ -139,10 +139,12 @@ fn polycurves_of_linear_curves() {
 
 fn torus_path(traits: &TorusSegmentTraits, rng: &mut Rng, range: i64) -> Option<TorusPath> {
     let start = at(rng, range + 3);
+    let third = Rational::from(3).recip().unwrap();
+    let start = Point2::from_rationals(&start.coordinates().map(|x| x * &third));
     if rng.one_in(5) {
         return traits.closed_path(&start, [0; 2].map(|_| rng.within(2))).ok();
     }
-    let mut way = [0; 2].map(|_| Rational::from(rng.within(range + 1)));
+    let mut way = [0; 2].map(|_| Rational::from(rng.within(2 * range + 1)) * &third);
     if rng.one_in(4) {
         way[rng.index(2)] = Rational::ZERO;
     }
