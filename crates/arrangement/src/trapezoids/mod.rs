@@ -70,11 +70,6 @@ macro_rules! number {
             fn index(self) -> usize {
                 self.0 as usize
             }
-
-            #[inline]
-            pub(crate) fn is_none(self) -> bool {
-                self == Self::NONE
-            }
         }
     };
 }
@@ -95,6 +90,20 @@ number!(
     /// A node of the search structure.
     NodeId
 );
+
+impl SiteId {
+    #[inline]
+    pub(crate) fn is_none(self) -> bool {
+        self == Self::NONE
+    }
+}
+
+impl RailId {
+    #[inline]
+    pub(crate) fn is_none(self) -> bool {
+        self == Self::NONE
+    }
+}
 
 /// A trapezoid: two sites between whose walls it lies, and the rails below and above. [`SiteId::NONE`] and [`RailId::NONE`] stand for
 /// the sides of the parameter space.
