@@ -141,6 +141,7 @@ pub(super) fn answer(task: &Task, least: usize, budget: f64) -> Result<Value, Fa
 fn perform(operation: Operation, operands: &[Operand]) -> Result<Found, Failure> {
     match (operation, operands) {
         (Operation::Build, [input]) => ours::build(&input.curves),
+        (Operation::Insert, [input]) => ours::insert(&input.curves),
         (Operation::Overlay, [red, blue]) => ours::overlay_of(&red.curves, &blue.curves),
         (Operation::Locate, [input, Operand { curves: Curves::Points(points), .. }]) => {
             ours::locate(&input.curves, points)

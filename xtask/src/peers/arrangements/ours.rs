@@ -7,7 +7,7 @@ use arrangement::models::{Linear, LinearTraits, Segment, SegmentTraits};
 use arrangement::overlay::{Cell, overlay};
 use arrangement::topology::{BoundedPlane, Topology, UnboundedPlane};
 use arrangement::traits::BasicTraits;
-use arrangement::{Arrangement, locate_all};
+use arrangement::{Arrangement, Editor, locate_all};
 use exact::planar::Point2;
 
 use super::once::{Counts, Found, Located, timed};
@@ -43,6 +43,23 @@ pub(super) fn build(curves: &Curves) -> Result<Found, Failure> {
         }
         Curves::Points(_) => Err(NO_CURVES.into()),
     }
+}
+
+/// Insertion of all curves one by one into an empty arrangement.
+///
+/// # Errors
+/// If the library refuses the curves.
+pub(super) fn insert(curves: &Curves) -> Result<Found, Failure> {
+    let Curves::Segments(ends) = curves else { return Err(NO_CURVES.into()) };
+    let curves = segments(ends)?;
+    let (editor, seconds) = timed(|| {
+        let mut editor = Editor::new(Arrangement::new(SegmentTraits, BoundedPlane));
+        for curve in &curves {
+            editor.insert_curve(curve);
+        }
+        editor
+    });
+    Ok(found(&(editor.finish().0, seconds)))
 }
 
 /// Overlay of the arrangements of both, which are made before the clock starts.

@@ -19,6 +19,8 @@ const QUERY_SEED: u64 = 1_000;
 pub(crate) enum Operation {
     /// Aggregated insertion into an empty arrangement.
     Build,
+    /// Insertion one by one into an empty arrangement, in the order of the input.
+    Insert,
     /// Overlay of two arrangements that exist.
     Overlay,
     /// Batched location of points in an arrangement that exists.
@@ -67,6 +69,7 @@ impl std::fmt::Display for Operation {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Operation::Build => "build",
+            Operation::Insert => "insert",
             Operation::Overlay => "overlay",
             Operation::Locate => "locate",
         })
@@ -121,6 +124,7 @@ impl Task {
     pub(super) fn parse([operation, family, count]: [&str; 3]) -> Result<Task, Failure> {
         let operation = match operation {
             "build" => Operation::Build,
+            "insert" => Operation::Insert,
             "overlay" => Operation::Overlay,
             "locate" => Operation::Locate,
             _ => return Err(format!("no such operation: {operation}").into()),
@@ -144,7 +148,7 @@ impl Task {
     pub(super) fn operands(&self) -> Vec<Operand> {
         let first = self.family.operand(self.count, FIRST);
         match self.operation {
-            Operation::Build => vec![first],
+            Operation::Build | Operation::Insert => vec![first],
             Operation::Overlay => vec![first, self.family.operand(self.count, SECOND)],
             Operation::Locate => {
                 let Drawn { objects, hash } = query_points(QUERIES, QUERY_SEED);
@@ -185,7 +189,7 @@ mod tests {
     #[test]
     fn words_are_read_back() {
         let families = [Family::Long, Family::Short(9), Family::Lines, Family::Polylines];
-        for operation in [Operation::Build, Operation::Overlay, Operation::Locate] {
+        for operation in [Operation::Build, Operation::Insert, Operation::Overlay, Operation::Locate] {
             for family in families {
                 let task = Task { operation, family, count: 12 };
                 let words = task.words();
