@@ -24,8 +24,7 @@ impl<G: BasicTraits> Trapezoids<G> {
                 faults.push(format!("rail of {e:?}"));
             }
             for side in [Side::Below, Side::Above] {
-                let first = self.first_along(arrangement, rail, side);
-                if self.along(rail, side, first).any(|t| self.trapezoid(t).rail(side.opposite()) != rail) {
+                if self.along(rail, side).any(|t| self.trapezoid(t).rail(side.opposite()) != rail) {
                     faults.push(format!("{side:?} {e:?}"));
                 }
             }

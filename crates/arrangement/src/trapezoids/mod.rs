@@ -181,10 +181,13 @@ pub(crate) struct Rail {
     pub(crate) edge: EdgeId,
     pub(crate) curve: u32,
     pub(crate) ends: [SiteId; 2],
+    /// The first trapezoids along it, below and above.
+    pub(crate) first: [TrapezoidId; 2],
 }
 
 impl Rail {
-    const FREE: Self = Self { edge: EdgeId::NONE, curve: u32::MAX, ends: [SiteId::NONE; 2] };
+    const FREE: Self =
+        Self { edge: EdgeId::NONE, curve: u32::MAX, ends: [SiteId::NONE; 2], first: [TrapezoidId::NONE; 2] };
 }
 
 /// A node of the search structure.
