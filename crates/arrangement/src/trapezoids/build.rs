@@ -4,7 +4,7 @@ use super::insert::NewSite;
 use super::{Found, SiteId, Toward, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::{Site, SiteAt, Topology};
-use crate::traits::{BasicTraits, CurveEnd, UMonotoneTraits};
+use crate::traits::{CurveEnd, UMonotoneTraits};
 use dcel::{EdgeId, HalfedgeId, VertexId};
 
 impl<G: UMonotoneTraits> Trapezoids<G> {
@@ -28,7 +28,7 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
     }
 
     /// Adds an edge of the arrangement, and the sites of its ends.
-    fn add_edge<T: Topology<G>>(&mut self, arrangement: &Arrangement<G, T>, e: EdgeId) {
+    pub(super) fn add_edge<T: Topology<G>>(&mut self, arrangement: &Arrangement<G, T>, e: EdgeId) {
         let curve = arrangement.support(e).0;
         let ends = [e.halfedge(), e.halfedge().twin()].map(|h| self.site_of_start(arrangement, h));
         let place = self.place(arrangement, ends[0]);
@@ -78,7 +78,7 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
     }
 
     /// Adds the first site of a vertex, where its point is: on an identified side, the low one.
-    fn add_home<T: Topology<G>>(&mut self, arrangement: &Arrangement<G, T>, v: VertexId) {
+    pub(super) fn add_home<T: Topology<G>>(&mut self, arrangement: &Arrangement<G, T>, v: VertexId) {
         if let Some(point) = arrangement.point(v) {
             let place = Site::of_point(arrangement.topology(), arrangement.traits(), point);
             self.add_vertex_site(arrangement, v, &place);

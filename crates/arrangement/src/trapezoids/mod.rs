@@ -11,6 +11,7 @@
 //! | `insert`, `remove` | vertices and edges come and go |
 //! | `rails` | edges are split and merged |
 //! | `faces` | the face of a trapezoid, and trapezoids that are next to one another |
+//! | `seams` | those that are so across identified sides |
 //! | `build` | the decomposition of an arrangement, edges in random order |
 //! | `check` | every broken promise, for tests |
 //!
@@ -29,10 +30,12 @@
 mod build;
 mod check;
 mod faces;
+mod follow;
 mod insert;
 mod rails;
 mod remove;
 mod search;
+mod seams;
 #[cfg(test)]
 mod tests;
 
@@ -40,6 +43,7 @@ use crate::arrangement::Arrangement;
 use crate::topology::{Site, SiteAt, Topology};
 use crate::traits::{BasicTraits, CurveEnd, Location};
 use dcel::{EdgeId, VertexId};
+pub(crate) use follow::Follower;
 pub(crate) use insert::{NewRail, NewSite};
 pub(crate) use search::{Found, Toward, compare_right, side};
 use std::cmp::Ordering;
@@ -218,6 +222,7 @@ pub(crate) struct Trapezoids<G: BasicTraits> {
     /// Steps of searches beyond the logarithm since the search structure was built.
     excess: u64,
     scratch: Vec<TrapezoidId>,
+    visits: faces::Visits,
 }
 
 impl<G: BasicTraits> Trapezoids<G> {
@@ -242,6 +247,7 @@ impl<G: BasicTraits> Trapezoids<G> {
             free_rails: Vec::new(),
             excess: 0,
             scratch: Vec::new(),
+            visits: faces::Visits::default(),
         }
     }
 

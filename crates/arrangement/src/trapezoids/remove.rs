@@ -1,7 +1,7 @@
 //! Vertices and edges go.
 
 use super::{
-    Found, Node, NodeId, RailId, Side, SiteId, SiteKind, Toward, Trapezoid, TrapezoidId, Trapezoids,
+    Node, NodeId, RailId, Side, SiteId, SiteKind, Trapezoid, TrapezoidId, Trapezoids,
 };
 use crate::arrangement::Arrangement;
 use crate::topology::Topology;
