@@ -8,7 +8,7 @@ use arrangement::{Arrangement, Editor};
 use testkit::Rng;
 
 use super::once::{Found, timed};
-use super::ours::{NO_CURVES, found, segments};
+use super::ours::{NO_CURVES, found, of_segments, segments};
 use super::task::Curves;
 use crate::Failure;
 
@@ -30,6 +30,30 @@ pub(super) fn insert(curves: &Curves) -> Result<Found, Failure> {
         editor
     });
     Ok(found(&(editor.finish().0, seconds)))
+}
+
+/// Removal of all edges in random order, and with them of all vertices, from an arrangement that is made before the clock starts and
+/// whose cells are counted.
+///
+/// # Errors
+/// If the library refuses the curves, or something is left.
+pub(super) fn remove(curves: &Curves) -> Result<Found, Failure> {
+    let full = of_segments(curves)?;
+    let counted = found(&(full.clone(), 0.0));
+    let mut editor = Editor::new(full);
+    let mut edges: Vec<_> = editor.arrangement().dcel().edges().collect();
+    Rng::new(1).shuffle(&mut edges);
+    let ((), seconds) = timed(|| {
+        for e in edges {
+            editor.remove_edge(e);
+        }
+    });
+    let left = editor.arrangement().counts_with_splits();
+    if (left.vertices, left.edges, left.faces) == (0, 0, 1) {
+        Ok(Found { seconds, ..counted })
+    } else {
+        Err(format!("{left:?} are left when all edges are removed").into())
+    }
 }
 
 /// A face with that many holes, each a segment: `steps` times a quadrilateral around one of them is inserted, edge by edge, whose

@@ -64,7 +64,7 @@ pub(crate) struct Measured {
 
 impl Located {
     /// How many cells were found.
-    pub(super) fn cells(&self) -> usize {
+    fn cells(self) -> usize {
         self.vertices + self.edges + self.faces
     }
 }
@@ -72,7 +72,7 @@ impl Located {
 impl Measured {
     /// How many cells were found where points are located, or along curves; nothing for other operations.
     pub(crate) fn cells(&self) -> Option<usize> {
-        self.located.map(|located| located.cells())
+        self.located.map(Located::cells)
     }
 
     /// Reads what a driver printed; ours prints the same.
@@ -152,6 +152,7 @@ fn perform(operation: Operation, operands: &[Operand]) -> Result<Found, Failure>
     match (operation, operands) {
         (Operation::Build, [input]) => ours::build(&input.curves),
         (Operation::Insert, [input]) => edits::insert(&input.curves),
+        (Operation::Remove, [input]) => edits::remove(&input.curves),
         (Operation::Overlay, [red, blue]) => ours::overlay_of(&red.curves, &blue.curves),
         (Operation::Locate, [input, Operand { curves: Curves::Points(points), .. }]) => {
             ours::locate(&input.curves, points)

@@ -21,6 +21,8 @@ pub(crate) enum Operation {
     Build,
     /// Insertion one by one into an empty arrangement, in the order of the input.
     Insert,
+    /// Removal of all edges of an arrangement that exists, in random order.
+    Remove,
     /// Overlay of two arrangements that exist.
     Overlay,
     /// Batched location of points in an arrangement that exists.
@@ -70,6 +72,7 @@ impl std::fmt::Display for Operation {
         f.write_str(match self {
             Operation::Build => "build",
             Operation::Insert => "insert",
+            Operation::Remove => "remove",
             Operation::Overlay => "overlay",
             Operation::Locate => "locate",
         })
@@ -125,6 +128,7 @@ impl Task {
         let operation = match operation {
             "build" => Operation::Build,
             "insert" => Operation::Insert,
+            "remove" => Operation::Remove,
             "overlay" => Operation::Overlay,
             "locate" => Operation::Locate,
             _ => return Err(format!("no such operation: {operation}").into()),
@@ -148,7 +152,7 @@ impl Task {
     pub(super) fn operands(&self) -> Vec<Operand> {
         let first = self.family.operand(self.count, FIRST);
         match self.operation {
-            Operation::Build | Operation::Insert => vec![first],
+            Operation::Build | Operation::Insert | Operation::Remove => vec![first],
             Operation::Overlay => vec![first, self.family.operand(self.count, SECOND)],
             Operation::Locate => {
                 let Drawn { objects, hash } = query_points(QUERIES, QUERY_SEED);
@@ -186,10 +190,13 @@ impl Curves {
 mod tests {
     use super::*;
 
+    const OPERATIONS: [Operation; 5] =
+        [Operation::Build, Operation::Insert, Operation::Remove, Operation::Overlay, Operation::Locate];
+
     #[test]
     fn words_are_read_back() {
         let families = [Family::Long, Family::Short(9), Family::Lines, Family::Polylines];
-        for operation in [Operation::Build, Operation::Insert, Operation::Overlay, Operation::Locate] {
+        for operation in OPERATIONS {
             for family in families {
                 let task = Task { operation, family, count: 12 };
                 let words = task.words();
