@@ -123,7 +123,15 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let fate = |i: usize| if self.arrangement.is_at_infinity(ends[i]) { EndFate::Isolate } else { fates[i] };
         let fates = [fate(0), fate(if ends[0] == ends[1] { 0 } else { 1 })];
         self.trapezoids.remove_edge(&self.arrangement, e, fates);
-        self.arrangement.remove_and_settle(e, fates, &mut self.observers)
+        let removed = self.arrangement.remove_and_settle(e, fates, &mut self.observers);
+        for v in ends {
+            let dcel = self.arrangement.dcel();
+            if dcel.has_vertex(v) && dcel.around(v).nth(1).is_none() {
+                // Nothing is cut there any more.
+                self.make_ordinary(v);
+            }
+        }
+        removed
     }
 
     /// Removes a vertex without edges within an operation.
