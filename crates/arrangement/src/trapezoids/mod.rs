@@ -28,6 +28,7 @@
 //! Thesis, section 2.4.5 and 2.4.4 (zone); de Berg, Cheong, van Kreveld and Overmars, Computational Geometry, chapter 6.
 
 mod build;
+#[cfg(test)]
 mod check;
 mod faces;
 mod follow;
@@ -221,7 +222,6 @@ pub(crate) struct Trapezoids<G: BasicTraits> {
     free_rails: Vec<RailId>,
     /// Steps of searches beyond the logarithm since the search structure was built.
     excess: u64,
-    scratch: Vec<TrapezoidId>,
     visits: faces::Visits,
 }
 
@@ -246,7 +246,6 @@ impl<G: BasicTraits> Trapezoids<G> {
             free_trapezoids: Vec::new(),
             free_rails: Vec::new(),
             excess: 0,
-            scratch: Vec::new(),
             visits: faces::Visits::default(),
         }
     }

@@ -23,7 +23,7 @@ pub(crate) struct Walk<'a, G: UMonotoneTraits, T> {
     trapezoids: &'a Trapezoids<G>,
     curve: &'a G::UMonotoneCurve,
     end: Site<'a, G>,
-    /// Where the walk began, if that is no place on a side.
+    /// Where the walk began or came into the trapezoid, if that is no place on a side. The rails that are new there have begun, too.
     after: Option<&'a G::Point>,
     /// The trapezoid in which it is.
     at: TrapezoidId,
@@ -87,6 +87,7 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Walk<'a, G, T> {
                 (_, Ordering::Less) => Side::Above,
             };
             self.at = self.trapezoids.right_of(site)[wall as usize];
+            self.after = place.point().filter(|_| place.location.is_interior());
         }
     }
 
