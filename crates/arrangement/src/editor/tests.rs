@@ -116,7 +116,7 @@ fn an_adverse_order_costs_less_than_linear_searches() {
             editor.insert_curve(&Segment::from_i64([[i, i], [4 * n - i, i]]).expect("it is long"));
         }
         assert_eq!(editor.counts().edges, n as usize);
-        editor.traits().total()
+        editor.traits().counters().total()
     });
     println!("{calls:?}");
     // Linear searches would make four times as many of twice as many segments.
