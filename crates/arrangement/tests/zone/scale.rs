@@ -41,7 +41,6 @@ fn figures(bits: u32) -> Figures {
 #[test]
 fn among_short_segments() {
     let Figures { predicates, met, until_first } = figures(15);
-    println!("{predicates} predicates a segment, {met} vertices and edges, {until_first} up to the first");
     assert!(met > 1_000, "{met}");
     assert!(predicates < 2_600 && until_first < 100, "{predicates}, {until_first}");
 }
@@ -51,7 +50,6 @@ fn among_short_segments() {
 fn among_tiny_segments() {
     for (bits, most) in [(12, 6_000), (8, 19_000)] {
         let Figures { predicates, met, until_first } = figures(bits);
-        println!("{bits} bits: {predicates} predicates a segment, {met} met, {until_first} up to the first");
         assert!(predicates < most, "{predicates}");
     }
 }
