@@ -37,7 +37,7 @@ fn figures(bits: u32) -> Figures {
     Figures { predicates, met, until_first: counters.total() / 100 }
 }
 
-/// The one face has thousands of holes, and a segment passes most of them without a question.
+/// There are thousands of holes, which stop walls: so most of them are not asked.
 #[test]
 fn among_short_segments() {
     let Figures { predicates, met, until_first } = figures(15);
