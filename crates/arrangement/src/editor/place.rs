@@ -18,14 +18,7 @@ pub(super) struct At {
 impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// The vertex that stands for the side on which a place lies, if one does.
     pub(super) fn side_vertex(&self, location: Location) -> Option<VertexId> {
-        use crate::traits::Along;
-        let [left, right, bottom, top] = self.arrangement.topology().side_vertices();
-        let of = |along, low, high| match along {
-            Along::Low => low,
-            Along::Inside => None,
-            Along::High => high,
-        };
-        of(location.v, bottom, top).or(of(location.u, left, right)).map(VertexId)
+        crate::zone::side_vertex(&self.arrangement, location)
     }
 
     /// The vertex at an end of a stored curve, made if there is none; an edge on which it lies is split. A new one has no edge, and
@@ -38,7 +31,9 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
             let place = Site { location, at: crate::topology::SiteAt::End(the_curve, end) };
             let site = match self.trapezoids.find(arrangement, &place) {
                 Found::Site(site) => site,
-                Found::Within(t) => self.trapezoids.add_site(NewSite::End(curve.0, end), location, t),
+                Found::Within(t) => {
+                    self.trapezoids.add_site(&self.arrangement, NewSite::End(v, curve.0, end), location, t)
+                }
             };
             return At { v, site };
         }
@@ -54,7 +49,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let home_location = home.location;
         let at = match self.trapezoids.find(arrangement, &home) {
             Found::Site(site) => {
-                let v = self.trapezoids.vertex(site).expect("a point is not at an end without one");
+                let v = self.trapezoids.vertex(site);
                 if !is_artificial {
                     self.make_ordinary(v);
                 }
@@ -70,7 +65,15 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                     self.split_rail(below, point, home_location, is_artificial)
                 } else {
                     let v = self.add_vertex(point, is_artificial);
-                    At { v, site: self.trapezoids.add_site(NewSite::Vertex(v), home_location, t) }
+                    At {
+                        v,
+                        site: self.trapezoids.add_site(
+                            &self.arrangement,
+                            NewSite::Vertex(v),
+                            home_location,
+                            t,
+                        ),
+                    }
                 }
             }
         };
@@ -88,7 +91,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let place = Site { location, at: crate::topology::SiteAt::Point(point) };
         match self.trapezoids.find(&self.arrangement, &place) {
             Found::Site(site) => site,
-            Found::Within(t) => self.trapezoids.add_site(NewSite::Vertex(v), location, t),
+            Found::Within(t) => self.trapezoids.add_site(&self.arrangement, NewSite::Vertex(v), location, t),
         }
     }
 

@@ -23,7 +23,8 @@ pub(crate) struct Walk<'a, G: UMonotoneTraits, T> {
     trapezoids: &'a Trapezoids<G>,
     curve: &'a G::UMonotoneCurve,
     end: Site<'a, G>,
-    /// Where the walk began or came into the trapezoid, if that is no place on a side. The rails that are new there have begun, too.
+    /// Where the walk began, or the last wall that it has passed, if that is no place on a side: there the curve and a rail that is below
+    /// or above it for the first time became neighbours. To the left of it, the rail may not be.
     after: Option<&'a G::Point>,
     /// The trapezoid in which it is.
     at: TrapezoidId,
