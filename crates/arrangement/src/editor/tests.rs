@@ -1,5 +1,7 @@
 //! Curves one by one against all at once.
 
+#![allow(clippy::print_stdout, reason = "a case that fails shows its seed")]
+
 use super::*;
 use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusSegmentTraits};
 use crate::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
