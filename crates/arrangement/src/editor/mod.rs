@@ -8,12 +8,17 @@
 //! | `rotation` | after which halfedges a new one comes |
 //! | `curve` | a curve comes, wherever it runs |
 //! | `local` | edits whose neighbours are known |
-//! | `remove` | edges and vertices go |
+//! | `remove`, `merge` | edges and vertices go; two edges become one |
+//! | `global` | all is numbered anew, dropped, or swept again |
 
 mod curve;
 mod edge;
 mod local;
+mod merge;
 mod place;
+#[cfg(test)]
+mod removal_tests;
+mod remove;
 mod rotation;
 #[cfg(test)]
 mod tests;
@@ -24,6 +29,7 @@ use crate::overlay::Cell;
 use crate::topology::{Site, Topology};
 use crate::traits::UMonotoneTraits;
 use crate::trapezoids::{Found, Toward, Trapezoids, side};
+pub use merge::{MergedEdges, VertexNeed, VertexNeeded};
 use std::ops::Deref;
 
 /// An arrangement that is edited, with what finds places in it, and observers.
