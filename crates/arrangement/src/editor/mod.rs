@@ -9,10 +9,12 @@
 //! | `curve` | a curve comes, wherever it runs |
 //! | `local` | edits whose neighbours are known |
 //! | `remove`, `merge` | edges and vertices go; two edges become one |
+//! | `hooks` | what the history needs |
 //! | `global` | all is numbered anew, dropped, or swept again |
 
 mod curve;
 mod edge;
+mod hooks;
 mod local;
 mod merge;
 mod place;
@@ -29,6 +31,7 @@ use crate::overlay::Cell;
 use crate::topology::{Site, Topology};
 use crate::traits::UMonotoneTraits;
 use crate::trapezoids::{Found, Toward, Trapezoids, side};
+pub(crate) use hooks::Came;
 pub use merge::{MergedEdges, VertexNeed, VertexNeeded};
 use std::ops::Deref;
 
