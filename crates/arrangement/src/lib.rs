@@ -158,6 +158,6 @@ mod zone;
 pub use arrangement::{
     Arrangement, CellOrder, Counts, CurveId, Difference, Parts, UserEdgeId, UserView, Violation,
 };
-pub use editor::{Editor, MergedEdges, VertexNeed, VertexNeeded};
+pub use editor::{Editor, MergedEdges, Renumbering, SplitParts, VertexNeed, VertexNeeded};
 pub use insert::Pieces;
 pub use queries::{CommonEnds, do_any_meet, intersections, locate_all, subcurves};

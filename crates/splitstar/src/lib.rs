@@ -12,6 +12,7 @@
 //! | [`polytope`] | polytopes and meshes, convex hulls, Minkowski sums |
 //! | [`formats`] | files of models (OFF, OBJ, STL, PLY, 3MF, VRML, glTF, star), of curves (text, WKT, GeoJSON) and of arrangements (star), read and written |
 //! | [`render`] | pictures, as SVG |
+//! | [`graph`] | arrangements and their duals as graphs of `petgraph` |
 //!
 //! Each crate is also one of its own, and the examples in its documentation, and those of `docs/write-your-own-curve.md`, name it so:
 //! `splitstar_arrangement::`, `exact::` and so on. In a program that depends on this crate alone,
@@ -21,7 +22,7 @@
 //! splitstar = { path = "splitstar/crates/splitstar" }
 //! ```
 //!
-//! these are `splitstar::arrangement::`, `splitstar::exact::`, `splitstar::dcel::`, `splitstar::polytope::`, `splitstar::formats::` and `splitstar::render::`.
+//! these are `splitstar::arrangement::`, `splitstar::exact::`, `splitstar::dcel::`, `splitstar::polytope::`, `splitstar::formats::`, `splitstar::render::` and `splitstar::graph::`.
 //!
 //! # A convex hull
 //!
@@ -113,7 +114,7 @@
 // The examples of the README are tests of this crate.
 #![cfg_attr(doctest, doc = include_str!("../../../README.md"))]
 
-pub use {arrangement, dcel, exact, formats, polytope, render};
+pub use {arrangement, dcel, exact, formats, graph, polytope, render};
 
 /// The names that most programs need: `use splitstar::prelude::*`.
 ///

@@ -96,7 +96,7 @@ pub enum Edit<P, C> {
     RemoveEdge {
         /// The edge.
         e: EdgeId,
-        /// What becomes of its min and of its max vertex if they have no other edge.
+        /// What becomes of its min and of its max vertex if they have no other edge. A vertex that stands for a side is never removed.
         ends: [EndFate; 2],
         /// The side whose face keeps its id.
         survivor: Side,

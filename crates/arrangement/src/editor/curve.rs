@@ -11,7 +11,7 @@ use crate::zone::{Hit, Walk};
 use dcel::EdgeId;
 
 /// What to do next with a curve.
-enum Next<P> {
+pub(super) enum Next<P> {
     /// It runs along an edge to its end, or to a point of its interior.
     Along(EdgeId, Option<P>),
     /// It runs through a face from a trapezoid on.
@@ -107,7 +107,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     }
 
     /// Looks where a curve goes from a site on it.
-    fn next_of(&mut self, id: CurveId, site: SiteId) -> Next<G::Point> {
+    pub(super) fn next_of(&mut self, id: CurveId, site: SiteId) -> Next<G::Point> {
         let arrangement = &self.arrangement;
         let curve = arrangement.curve(id);
         let first = self.trapezoids.first_of(arrangement, site, curve);

@@ -5,7 +5,6 @@ use crate::arrangement::CurveId;
 use crate::edit::{Edit, Observer, Operation};
 use crate::topology::Topology;
 use crate::traits::UMonotoneTraits;
-use crate::trapezoids::SiteId;
 use dcel::{EdgeId, VertexId};
 use std::fmt;
 
@@ -65,7 +64,6 @@ impl std::error::Error for VertexNeeded {}
 /// What it takes to merge two edges.
 struct Mergeable<C> {
     edges: MergedEdges,
-    site: SiteId,
     /// The support of both, or a curve that is to be stored.
     curve: Result<CurveId, C>,
 }
@@ -161,22 +159,17 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                 None => return needed(VertexNeed::Curves),
             }
         };
-        Ok(Mergeable { edges: MergedEdges { kept: before, gone: after }, site, curve })
+        Ok(Mergeable { edges: MergedEdges { kept: before, gone: after }, curve })
     }
 
     fn merge(&mut self, v: VertexId, mergeable: Mergeable<G::UMonotoneCurve>) -> MergedEdges {
-        let Mergeable { edges, site, curve } = mergeable;
+        let Mergeable { edges, curve } = mergeable;
         let curve = curve.unwrap_or_else(|curve| {
             self.arrangement.apply(Edit::AddCurve { curve }, &mut self.observers).curve()
         });
-        let others: Vec<SiteId> = self.trapezoids.sites_of(v).filter(|&other| other != site).collect();
-        for other in others {
-            self.trapezoids.remove_site(&self.arrangement, other);
-        }
-        let rail = self.trapezoids.remove_site_on_rail(&self.arrangement, site);
         let kept = edges.kept;
+        self.trapezoids.merge_edges(&self.arrangement, kept, v);
         self.arrangement.apply(Edit::MergeEdges { kept, v }, &mut self.observers);
-        self.trapezoids.set_edge(rail, kept);
         self.set_support(kept, curve);
         edges
     }

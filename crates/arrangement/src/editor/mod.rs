@@ -7,21 +7,24 @@
 //! | `edge` | an edge comes, its place around its vertices, and what becomes of the face |
 //! | `rotation` | after which halfedges a new one comes |
 //! | `curve` | a curve comes, wherever it runs |
-//! | `local` | edits whose neighbours are known |
+//! | `local`, `modify` | edits whose neighbours are known; what changes where nothing moves |
 //! | `remove`, `merge` | edges and vertices go; two edges become one |
 //! | `hooks` | what the history needs |
 //! | `global` | all is numbered anew, dropped, or swept again |
 
 mod curve;
 mod edge;
+mod global;
 mod hooks;
 mod local;
 mod merge;
+mod modify;
 mod place;
 #[cfg(test)]
 mod removal_tests;
 mod remove;
 mod rotation;
+mod undo;
 #[cfg(test)]
 mod tests;
 
@@ -31,8 +34,10 @@ use crate::overlay::Cell;
 use crate::topology::{Site, Topology};
 use crate::traits::UMonotoneTraits;
 use crate::trapezoids::{Found, Toward, Trapezoids, side};
+pub use global::Renumbering;
 pub(crate) use hooks::Came;
 pub use merge::{MergedEdges, VertexNeed, VertexNeeded};
+pub use modify::SplitParts;
 use std::ops::Deref;
 
 /// An arrangement that is edited, with what finds places in it, and observers.
@@ -126,10 +131,15 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     fn operate<R>(&mut self, operation: Operation, operate: impl FnOnce(&mut Self) -> R) -> R {
         self.observers.begin_operation(&self.arrangement, operation);
         let result = operate(self);
+        self.renew_if_worn();
+        self.observers.end_operation(&self.arrangement, operation);
+        result
+    }
+
+    /// Builds the decomposition anew if searches take too long.
+    fn renew_if_worn(&mut self) {
         if self.trapezoids.is_worn() {
             self.trapezoids = Trapezoids::of(&self.arrangement);
         }
-        self.observers.end_operation(&self.arrangement, operation);
-        result
     }
 }

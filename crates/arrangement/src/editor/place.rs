@@ -81,7 +81,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     }
 
     /// The site of a vertex at a place that is not its first one, made if there is none.
-    fn site_at(&mut self, v: VertexId, point: &G::Point, location: Location) -> SiteId {
+    pub(super) fn site_at(&mut self, v: VertexId, point: &G::Point, location: Location) -> SiteId {
         if let Some(site) = self.trapezoids.site_at(v, location) {
             return site;
         }

@@ -48,12 +48,15 @@ fn take_apart<G: ArrangementTraits + Clone, T: Topology<G>>(
     let mut editor = Editor::new(arrangement);
     check(&editor);
     loop {
-        let mut vertices: Vec<_> = editor.vertices().collect();
-        if vertices.is_empty() {
-            break;
-        }
-        let v = vertices.swap_remove(numbers.below(vertices.len() as i64) as usize);
         let edges: Vec<EdgeId> = editor.dcel().edges().collect();
+        let vertices: Vec<_> = editor.vertices().collect();
+        let Some(&v) = vertices.get(numbers.below(vertices.len().max(1) as i64) as usize) else {
+            // Whole lines have no vertices.
+            let Some(&e) = edges.first() else { break };
+            editor.remove_edge(e);
+            check(&editor);
+            continue;
+        };
         match numbers.below(8) {
             0 => {
                 editor.remove_vertex_with_edges(v).expect("it is a point");

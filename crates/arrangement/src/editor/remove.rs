@@ -4,7 +4,6 @@ use super::{Editor, MergedEdges, VertexNeed, VertexNeeded};
 use crate::edit::{Edit, Observer, Operation};
 use crate::topology::Topology;
 use crate::traits::UMonotoneTraits;
-use crate::trapezoids::SiteId;
 use dcel::{EdgeId, EndFate, Removed, VertexId};
 
 impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
@@ -120,50 +119,24 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
 
     /// Removes an edge within an operation: see [`Editor::remove_edge_with`].
     pub(crate) fn take_out_edge(&mut self, e: EdgeId, fates: [EndFate; 2]) -> Removed {
-        let rail = self.trapezoids.rail_of(e);
-        let sites = self.trapezoids.rail(rail).ends;
         let ends = self.arrangement.dcel().ends(e);
         let fate = |i: usize| if self.arrangement.is_at_infinity(ends[i]) { EndFate::Isolate } else { fates[i] };
         let fates = [fate(0), fate(if ends[0] == ends[1] { 0 } else { 1 })];
-        self.trapezoids.remove_rail(&self.arrangement, rail);
-        for site in sites {
-            self.remove_site_if_empty(site);
-        }
-        for (v, fate) in ends.into_iter().zip(fates) {
-            let is_last = self.arrangement.dcel().around(v).all(|h| h.edge_id() == e);
-            if is_last && fate == EndFate::Remove {
-                self.remove_sites_of(v);
+        self.trapezoids.remove_edge(&self.arrangement, e, fates);
+        let removed = self.arrangement.remove_and_settle(e, fates, &mut self.observers);
+        for v in ends {
+            let dcel = self.arrangement.dcel();
+            if dcel.has_vertex(v) && dcel.around(v).nth(1).is_none() {
+                // Nothing is cut there any more.
+                self.make_ordinary(v);
             }
         }
-        self.arrangement.remove_and_settle(e, fates, &mut self.observers)
+        removed
     }
 
     /// Removes a vertex without edges within an operation.
     pub(crate) fn take_out_isolated(&mut self, v: VertexId) {
-        self.remove_sites_of(v);
+        self.trapezoids.remove_sites_of(&self.arrangement, v);
         self.arrangement.apply(Edit::RemoveIsolatedVertex { v }, &mut self.observers);
-    }
-
-    /// Removes the site where an edge ended, if it is there for edges only and no other one has it: the end of a curve on a side, or a
-    /// place of a vertex that is not its first one.
-    fn remove_site_if_empty(&mut self, site: SiteId) {
-        let trapezoids = &self.trapezoids;
-        let is_empty = [trapezoids.left_of(site), trapezoids.right_of(site)].iter().all(|[a, b]| a == b);
-        let point = trapezoids.vertex(site).and_then(|v| self.arrangement.point(v));
-        let is_first = point.is_some_and(|point| {
-            let arrangement = &self.arrangement;
-            arrangement.topology().point_location(arrangement.traits(), point) == trapezoids.location(site)
-        });
-        if is_empty && !is_first {
-            self.trapezoids.remove_site(&self.arrangement, site);
-        }
-    }
-
-    /// Removes all sites of a vertex that is left without edges.
-    fn remove_sites_of(&mut self, v: VertexId) {
-        let sites: Vec<SiteId> = self.trapezoids.sites_of(v).collect();
-        for site in sites {
-            self.trapezoids.remove_site(&self.arrangement, site);
-        }
     }
 }

@@ -4,7 +4,7 @@ use super::InputId;
 use super::sets::{NONE, Sets};
 use crate::arrangement::{Arrangement, CurveId};
 use crate::edit::{Done, Edit, EditOf, Observer};
-use crate::editor::Came;
+use crate::editor::{Came, Renumbering};
 use crate::topology::Topology;
 use crate::traits::{BasicTraits, CurveEnd};
 use dcel::{EdgeId, HalfedgeId, VertexId};
@@ -85,6 +85,24 @@ impl History {
             of_edges,
             of_vertices,
         }
+    }
+
+    /// Gives edges, vertices and curves new ids. A piece whose curve has no new one is named to `store`, which stores the curve again.
+    pub(super) fn renumber(&mut self, to: &Renumbering, mut store: impl FnMut(u32) -> CurveId) {
+        let vertex = |v| to.vertex(v).expect("the vertex of a point stays");
+        let edge = |e| to.edge(e).expect("an edge stays along which a piece runs");
+        for (piece, record) in (0..).zip(&mut self.pieces) {
+            match &mut record.place {
+                Place::Curve { curve, first, .. } => {
+                    *first = edge(*first);
+                    *curve = to.curve(*curve).unwrap_or_else(|| store(piece));
+                }
+                Place::Point(v) => *v = vertex(*v),
+                Place::Nowhere => {}
+            }
+        }
+        self.of_edges.renumber(|e| edge(EdgeId::new(e)).index());
+        self.of_vertices.renumber(|v| vertex(VertexId::new(v)).index());
     }
 
     /// Begins an input that has no piece yet.

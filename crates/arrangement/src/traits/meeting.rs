@@ -131,7 +131,7 @@ pub trait UMonotoneTraits: BasicTraits {
     }
 
     /// Finds where two curves that run together to the right of a point `p` of both cease to: the greater end of their common piece
-    /// there. `None` if that end is on a side of the parameter space, where both curves end.
+    /// there. `None`, or a point on the side, if that end is on a side of the parameter space, where both curves end.
     ///
     /// Without `p`, the common piece begins on an open side.
     ///

@@ -1,23 +1,11 @@
 //! The face of a trapezoid, and which trapezoids are next to one another.
 
+use super::seams::is_open;
 use super::{Side, SiteId, TrapezoidId, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::Topology;
-use crate::traits::{Along, BasicTraits, Location};
+use crate::traits::BasicTraits;
 use dcel::{CcbId, FaceId, VertexId};
-
-/// Whether one may step from left to right past a site: below and above it. On a side of the parameter space only one of the walls
-/// is on the surface.
-#[inline]
-fn is_open(location: Location) -> [bool; 2] {
-    match (location.u, location.v) {
-        (Along::Low, _) => [true, false],
-        (Along::High, _) => [false, true],
-        (_, Along::Low) => [false, true],
-        (_, Along::High) => [true, false],
-        _ => [true, true],
-    }
-}
 
 /// What a part of a face has that is not its boundary.
 #[derive(Debug, Default)]
@@ -26,10 +14,39 @@ pub(crate) struct Contents {
     pub(crate) isolated: Vec<VertexId>,
 }
 
-/// Trapezoids of a face, found one after the other.
-struct Search {
-    found: Vec<TrapezoidId>,
-    visited: usize,
+/// Trapezoids that were found, and are marked.
+///
+/// Each visit has numbers of its own for its marks, so that old ones need not be wiped out.
+#[derive(Clone, Debug, Default)]
+pub(super) struct Visits {
+    marks: Vec<u32>,
+    last: u32,
+    pub(super) found: [Vec<TrapezoidId>; 2],
+    next: Vec<TrapezoidId>,
+}
+
+impl Visits {
+    /// Uses up the numbers for marks, but for one visit.
+    #[cfg(test)]
+    pub(super) fn use_up(&mut self) {
+        self.last = u32::MAX - 3;
+    }
+
+    /// Begins a visit among a number of trapezoids, and gives the marks of two parts.
+    fn begin(&mut self, count: usize) -> [u32; 2] {
+        if self.last > u32::MAX - 2 {
+            self.marks.fill(0);
+            self.last = 0;
+        }
+        if self.marks.len() < count {
+            self.marks.resize(count, 0);
+        }
+        for found in &mut self.found {
+            found.clear();
+        }
+        self.last += 2;
+        [self.last - 1, self.last]
+    }
 }
 
 impl<G: BasicTraits> Trapezoids<G> {
@@ -78,7 +95,7 @@ impl<G: BasicTraits> Trapezoids<G> {
                 }
                 let (from, to): (_, [TrapezoidId; 2]) = (from(self, site), to(self, site));
                 for wall in [0, 1] {
-                    if from[wall] == t && is_open(self.location(site))[wall] {
+                    if from[wall] == t && self.is_open_across(arrangement, site)[wall] {
                         out.push(to[wall]);
                     }
                 }
@@ -88,57 +105,112 @@ impl<G: BasicTraits> Trapezoids<G> {
         self.across_seams(arrangement, t, out);
     }
 
-    /// Appends the trapezoids that are next to one across identified sides.
-    fn across_seams<T: Topology<G>>(&self, _: &Arrangement<G, T>, _: TrapezoidId, _: &mut Vec<TrapezoidId>) {}
-
     /// Visits the trapezoids connected with each of two, in step; gives all that are connected with the one that has fewer, and says
-    /// which it is: 0 or 1. Both together if they are connected with one another: then the answer has both.
+    /// which it is: 0 or 1. If they are connected with one another, the answer has all that are connected with both, and is 0.
     ///
     /// # Complexity
-    /// Linear in the number of trapezoids of the smaller part.
+    /// Linear in the number of trapezoids of the answer.
     pub(crate) fn smaller_part<T: Topology<G>>(
-        &self,
+        &mut self,
         arrangement: &Arrangement<G, T>,
         starts: [TrapezoidId; 2],
     ) -> (usize, Vec<TrapezoidId>) {
-        let mut seen = std::collections::HashSet::new();
-        let mut searches = starts.map(|start| {
-            seen.insert(start);
-            Search { found: vec![start], visited: 0 }
+        let mut visits = std::mem::take(&mut self.visits);
+        let smaller = self.visit_in_step(arrangement, starts, &mut visits);
+        let smaller = smaller.unwrap_or_else(|| {
+            self.visit(arrangement, starts[0], &mut visits);
+            0
         });
-        let mut next = Vec::new();
-        loop {
-            for (i, search) in searches.iter_mut().enumerate() {
-                let Some(&t) = search.found.get(search.visited) else {
-                    return (i, std::mem::take(&mut search.found));
-                };
-                search.visited += 1;
-                next.clear();
-                self.neighbours(arrangement, t, &mut next);
-                search.found.extend(next.iter().copied().filter(|&t| seen.insert(t)));
-            }
-        }
+        let part = std::mem::take(&mut visits.found[smaller]);
+        self.visits = visits;
+        (smaller, part)
     }
 
     /// All trapezoids connected with one.
+    ///
+    /// # Complexity
+    /// Linear in their number.
     pub(crate) fn part<T: Topology<G>>(
-        &self,
+        &mut self,
         arrangement: &Arrangement<G, T>,
         start: TrapezoidId,
     ) -> Vec<TrapezoidId> {
-        let mut seen = std::collections::HashSet::from([start]);
-        let mut search = Search { found: vec![start], visited: 0 };
-        let mut next = Vec::new();
-        while let Some(&t) = search.found.get(search.visited) {
-            search.visited += 1;
-            next.clear();
-            self.neighbours(arrangement, t, &mut next);
-            search.found.extend(next.iter().copied().filter(|&t| seen.insert(t)));
-        }
-        search.found
+        let mut visits = std::mem::take(&mut self.visits);
+        self.visit(arrangement, start, &mut visits);
+        let part = std::mem::take(&mut visits.found[0]);
+        self.visits = visits;
+        part
     }
 
-    /// The CCBs along trapezoids, and the isolated vertices between them; each once.
+    /// Visits two parts until one has no more, and says which; `None` as soon as they meet.
+    fn visit_in_step<T: Topology<G>>(
+        &self,
+        arrangement: &Arrangement<G, T>,
+        starts: [TrapezoidId; 2],
+        visits: &mut Visits,
+    ) -> Option<usize> {
+        if starts[0] == starts[1] {
+            return None;
+        }
+        let marks = visits.begin(self.trapezoids.len());
+        for i in [0, 1] {
+            visits.marks[starts[i].index()] = marks[i];
+            visits.found[i].push(starts[i]);
+        }
+        for visited in 0.. {
+            for i in [0, 1] {
+                let Some(&t) = visits.found[i].get(visited) else { return Some(i) };
+                if !self.visit_next(arrangement, t, visits, i, marks) {
+                    return None;
+                }
+            }
+        }
+        None
+    }
+
+    /// Visits all that are connected with a trapezoid.
+    pub(super) fn visit<T: Topology<G>>(
+        &self,
+        arrangement: &Arrangement<G, T>,
+        start: TrapezoidId,
+        visits: &mut Visits,
+    ) {
+        let [mark, _] = visits.begin(self.trapezoids.len());
+        visits.marks[start.index()] = mark;
+        visits.found[0].push(start);
+        let mut visited = 0;
+        while let Some(&t) = visits.found[0].get(visited) {
+            self.visit_next(arrangement, t, visits, 0, [mark; 2]);
+            visited += 1;
+        }
+    }
+
+    /// Finds the trapezoids next to one; tells whether none of them is of the other part.
+    fn visit_next<T: Topology<G>>(
+        &self,
+        arrangement: &Arrangement<G, T>,
+        t: TrapezoidId,
+        visits: &mut Visits,
+        part: usize,
+        marks: [u32; 2],
+    ) -> bool {
+        let Visits { marks: marked, found, next, .. } = visits;
+        next.clear();
+        self.neighbours(arrangement, t, next);
+        for &t in next.iter() {
+            let mark = std::mem::replace(&mut marked[t.index()], marks[part]);
+            if mark == marks[part] {
+                continue;
+            }
+            if mark == marks[1 - part] {
+                return false;
+            }
+            found[part].push(t);
+        }
+        true
+    }
+
+    /// The CCBs along trapezoids, and the isolated vertices between them that are points; each once.
     pub(crate) fn contents<T: Topology<G>>(
         &self,
         arrangement: &Arrangement<G, T>,

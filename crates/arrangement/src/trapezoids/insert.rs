@@ -2,12 +2,12 @@
 
 use super::search::side;
 use super::{
-    Node, Rail, RailId, Side, SiteId, SiteKind, SiteRecord, Toward, Trapezoid, TrapezoidId, Trapezoids,
+    Node, Rail, RailId, Side, SiteId, SiteKind, SiteRecord, Trapezoid, TrapezoidId, Trapezoids,
 };
 use crate::arrangement::Arrangement;
 use crate::topology::Topology;
 use crate::traits::{BasicTraits, CurveEnd, Location};
-use dcel::{EdgeId, VertexId};
+use dcel::VertexId;
 
 /// What a new site is.
 #[derive(Clone, Copy, Debug)]
@@ -48,14 +48,7 @@ impl<G: BasicTraits> Trapezoids<G> {
         rail: RailId,
     ) -> (SiteId, [RailId; 2]) {
         let site = self.new_site(NewSite::Vertex(v), location);
-        let traps = [Side::Below, Side::Above].map(|side| {
-            let place = self.place(arrangement, site);
-            let (found, _) = self.search(arrangement, &place, &Toward::Straight(side));
-            match found {
-                super::Found::Within(t) => t,
-                super::Found::Site(_) => unreachable!("only the place itself is looked for at a site"),
-            }
-        });
+        let traps = [Side::Below, Side::Above].map(|side| self.beside(arrangement, rail, side, site));
         debug_assert_eq!(self.trapezoid(traps[0]).above, rail, "the site is on the rail");
         debug_assert_eq!(self.trapezoid(traps[1]).below, rail, "the site is on the rail");
         let [[bl, br], [al, ar]] = traps.map(|t| self.split_by_wall(t, site));
@@ -135,13 +128,14 @@ impl<G: BasicTraits> Trapezoids<G> {
         ends: [SiteId; 2],
         first: TrapezoidId,
     ) -> NewRail {
-        let rail = self.new_rail(Rail { edge: EdgeId::NONE, curve, ends });
+        let rail = self.new_rail(Rail { curve, ends, ..Rail::FREE });
         let [a, b] = ends;
         let the_curve = &arrangement.curves()[curve as usize];
         let mut t = first;
         let mut old = self.trapezoids[t.index()];
         let mut parts = [Side::Below, Side::Above].map(|part| self.new_part(&old, part, rail, a));
         let first_parts = parts;
+        self.rails[rail.index()].first = parts;
         for (right, part) in self.sites[a.index()].right.iter_mut().zip(parts) {
             if *right == t {
                 *right = part;
@@ -187,6 +181,19 @@ impl<G: BasicTraits> Trapezoids<G> {
         *trapezoid.rail_mut(part.opposite()) = rail;
         let t = self.new_trapezoid(trapezoid);
         self.new_leaf(t);
+        self.note_first(t, part, left);
         t
+    }
+
+    /// Tells the rail on one side of a trapezoid if that is the first one along it.
+    #[inline]
+    pub(super) fn note_first(&mut self, t: TrapezoidId, side: Side, left: SiteId) {
+        let rail = self.trapezoids[t.index()].rail(side);
+        if !rail.is_none() {
+            let rail = &mut self.rails[rail.index()];
+            if rail.ends[0] == left {
+                rail.first[side.opposite() as usize] = t;
+            }
+        }
     }
 }

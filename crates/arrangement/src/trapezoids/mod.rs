@@ -11,6 +11,7 @@
 //! | `insert`, `remove` | vertices and edges come and go |
 //! | `rails` | edges are split and merged |
 //! | `faces` | the face of a trapezoid, and trapezoids that are next to one another |
+//! | `seams` | those that are so across identified sides |
 //! | `build` | the decomposition of an arrangement, edges in random order |
 //! | `check` | every broken promise, for tests |
 //!
@@ -27,12 +28,15 @@
 //! Thesis, section 2.4.5 and 2.4.4 (zone); de Berg, Cheong, van Kreveld and Overmars, Computational Geometry, chapter 6.
 
 mod build;
+#[cfg(test)]
 mod check;
 mod faces;
+mod follow;
 mod insert;
 mod rails;
 mod remove;
 mod search;
+mod seams;
 #[cfg(test)]
 mod tests;
 
@@ -40,6 +44,7 @@ use crate::arrangement::Arrangement;
 use crate::topology::{Site, SiteAt, Topology};
 use crate::traits::{BasicTraits, CurveEnd, Location};
 use dcel::{EdgeId, VertexId};
+pub(crate) use follow::Follower;
 pub(crate) use insert::{NewRail, NewSite};
 pub(crate) use search::{Found, Toward, compare_right, side};
 use std::cmp::Ordering;
@@ -181,10 +186,13 @@ pub(crate) struct Rail {
     pub(crate) edge: EdgeId,
     pub(crate) curve: u32,
     pub(crate) ends: [SiteId; 2],
+    /// The first trapezoids along it, below and above.
+    pub(crate) first: [TrapezoidId; 2],
 }
 
 impl Rail {
-    const FREE: Self = Self { edge: EdgeId::NONE, curve: u32::MAX, ends: [SiteId::NONE; 2] };
+    const FREE: Self =
+        Self { edge: EdgeId::NONE, curve: u32::MAX, ends: [SiteId::NONE; 2], first: [TrapezoidId::NONE; 2] };
 }
 
 /// A node of the search structure.
@@ -214,7 +222,7 @@ pub(crate) struct Trapezoids<G: BasicTraits> {
     free_rails: Vec<RailId>,
     /// Steps of searches beyond the logarithm since the search structure was built.
     excess: u64,
-    scratch: Vec<TrapezoidId>,
+    visits: faces::Visits,
 }
 
 impl<G: BasicTraits> Trapezoids<G> {
@@ -238,7 +246,7 @@ impl<G: BasicTraits> Trapezoids<G> {
             free_trapezoids: Vec::new(),
             free_rails: Vec::new(),
             excess: 0,
-            scratch: Vec::new(),
+            visits: faces::Visits::default(),
         }
     }
 

@@ -1,7 +1,12 @@
 //! Edges are split and merged: a number of a rail stays with the longer part.
 
-use super::{RailId, Side, SiteId, TrapezoidId, Trapezoids};
+use super::{Found, Rail, RailId, Side, SiteId, Toward, TrapezoidId, Trapezoids};
+use crate::arrangement::Arrangement;
+use crate::topology::Topology;
 use crate::traits::BasicTraits;
+
+/// How many trapezoids are looked at before a search begins.
+const NEAR: usize = 6;
 
 /// To the left or to the right.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -39,15 +44,33 @@ impl<G: BasicTraits> Trapezoids<G> {
         })
     }
 
-    /// The trapezoids along one side of a rail, from left to right; `first` is the first of them.
-    pub(crate) fn along(
+    /// The trapezoids along one side of a rail, from left to right.
+    pub(crate) fn along(&self, rail: RailId, side: Side) -> impl Iterator<Item = TrapezoidId> + '_ {
+        let Rail { ends: [_, end], first, .. } = *self.rail(rail);
+        std::iter::successors(Some(first[side as usize]), move |&t| self.next_along(t, side, Way::Right, end))
+    }
+
+    /// The trapezoid on one side of a rail at a site on it that has no walls yet.
+    ///
+    /// # Complexity
+    /// Constant if it is one of the first few along the rail; else that of a search.
+    pub(super) fn beside<T: Topology<G>>(
         &self,
+        arrangement: &Arrangement<G, T>,
         rail: RailId,
         side: Side,
-        first: TrapezoidId,
-    ) -> impl Iterator<Item = TrapezoidId> + '_ {
-        let end = self.rail(rail).ends[1];
-        std::iter::successors(Some(first), move |&t| self.next_along(t, side, Way::Right, end))
+        site: SiteId,
+    ) -> TrapezoidId {
+        let place = self.place(arrangement, site);
+        let is_behind = |t: &TrapezoidId| {
+            let right = self.place(arrangement, self.trapezoid(*t).right);
+            arrangement.topology().compare_sites(arrangement.traits(), &place, &right).is_lt()
+        };
+        let near = self.along(rail, side).take(NEAR).find(is_behind);
+        near.unwrap_or_else(|| match self.search(arrangement, &place, &Toward::Straight(side)).0 {
+            Found::Within(t) => t,
+            Found::Site(_) => unreachable!("only the place itself is looked for at a site"),
+        })
     }
 
     /// Steps to the next trapezoid of a part, those below first; `None` if all were visited.
@@ -97,7 +120,10 @@ impl<G: BasicTraits> Trapezoids<G> {
         let mut rails = [rail; 2];
         rails[short] = new;
         self.rails[rails[0].index()].ends[1] = site;
-        self.rails[rails[1].index()].ends[0] = site;
+        let first = self.right_of(site);
+        let right = &mut self.rails[rails[1].index()];
+        (right.ends[0], right.first) = (site, first);
+        self.rails[rails[0].index()].first = old.first;
         rails
     }
 
@@ -114,9 +140,11 @@ impl<G: BasicTraits> Trapezoids<G> {
             Part { way: Way::Right, at: record.right.map(Some), end: ends[1] },
         ];
         let (short, visited) = self.shorter(parts);
+        let first = self.rail(rails[0]).first;
         let [gone, kept] = [rails[short], rails[1 - short]];
         self.relabel(&visited, kept);
-        self.rails[kept.index()].ends = ends;
+        let rail = &mut self.rails[kept.index()];
+        (rail.ends, rail.first) = (ends, first);
         self.free_rail(gone);
         kept
     }

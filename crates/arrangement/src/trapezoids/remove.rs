@@ -1,7 +1,7 @@
 //! Vertices and edges go.
 
 use super::{
-    Found, Node, NodeId, RailId, Side, SiteId, SiteKind, Toward, Trapezoid, TrapezoidId, Trapezoids,
+    Node, NodeId, RailId, Side, SiteId, SiteKind, Trapezoid, TrapezoidId, Trapezoids,
 };
 use crate::arrangement::Arrangement;
 use crate::topology::Topology;
@@ -9,40 +9,14 @@ use crate::traits::BasicTraits;
 use dcel::VertexId;
 
 impl<G: BasicTraits> Trapezoids<G> {
-    /// The first trapezoid along a side of a rail.
-    ///
-    /// # Complexity
-    /// Constant for the lowest and the highest edge that begin at a vertex, else that of a search.
-    pub(crate) fn first_along<T: Topology<G>>(
-        &self,
-        arrangement: &Arrangement<G, T>,
-        rail: RailId,
-        side: Side,
-    ) -> TrapezoidId {
-        let [start, _] = self.rail(rail).ends;
-        let t = self.right_of(start)[side as usize];
-        if self.trapezoid(t).rail(side.opposite()) == rail {
-            return t;
-        }
-        let curve = &arrangement.curves()[self.rail(rail).curve as usize];
-        let place = self.place(arrangement, start);
-        match self.search(arrangement, &place, &Toward::Right(curve, side)).0 {
-            Found::Within(t) => {
-                debug_assert_eq!(self.trapezoid(t).rail(side.opposite()), rail);
-                t
-            }
-            Found::Site(_) => unreachable!("only the place itself is looked for at a site"),
-        }
-    }
-
     /// Removes a rail. The sites at its ends stay.
     ///
     /// # Complexity
-    /// Linear in the number of trapezoids on both sides, and a search.
+    /// Linear in the number of trapezoids on both sides.
     pub(crate) fn remove_rail<T: Topology<G>>(&mut self, arrangement: &Arrangement<G, T>, rail: RailId) {
         let [a, b] = self.rail(rail).ends;
         // On each side the old trapezoid that is walked along, and the first of the new ones in it.
-        let mut old = [Side::Below, Side::Above].map(|side| self.first_along(arrangement, rail, side));
+        let mut old = self.rail(rail).first;
         let mut first_in = [0; 2];
         let (mut new, mut gone) = (Vec::new(), Vec::new());
         let mut left = a;
@@ -54,6 +28,8 @@ impl<G: BasicTraits> Trapezoids<G> {
             let joined = Trapezoid { left, right: b, below: below.below, above: above.above, leaf };
             let t = self.new_trapezoid(joined);
             self.new_leaf(t);
+            self.note_first(t, Side::Below, left);
+            self.note_first(t, Side::Above, left);
             new.push(t);
             for old in behind_wall.drain(..) {
                 self.replace_right_of(left, old, t);

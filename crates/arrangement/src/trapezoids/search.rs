@@ -118,7 +118,7 @@ impl<G: BasicTraits> Trapezoids<G> {
     /// The trapezoid in which a curve leaves a site to the right; above, if it runs along an edge. Notes how long that took.
     ///
     /// # Complexity
-    /// Constant if no edge leaves the site to the right; else that of a search.
+    /// Constant if at most one edge leaves the site to the right; else that of a search.
     pub(crate) fn first_of<T: Topology<G>>(
         &mut self,
         arrangement: &Arrangement<G, T>,
@@ -130,6 +130,11 @@ impl<G: BasicTraits> Trapezoids<G> {
             return above;
         }
         let place = self.place(arrangement, site);
+        let (lowest, highest) = (self.trapezoid(below).above, self.trapezoid(above).below);
+        if lowest == highest {
+            let other = &arrangement.curves()[self.rail(lowest).curve as usize];
+            return if compare_right(arrangement, curve, other, &place).is_lt() { below } else { above };
+        }
         match self.search(arrangement, &place, &Toward::Right(curve, Side::Above)) {
             (Found::Within(t), steps) => {
                 self.note_steps(steps);

@@ -1,82 +1,225 @@
 //! The decomposition of arrangements that a sweep made.
+//!
+//! | file | role |
+//! |---|---|
+//! | this one | random arrangements on all surfaces; faults of their decompositions |
+//! | `parts` | what is connected, and what lies in it |
+//! | `edits` | rails and sites go and come back |
+
+mod edits;
+mod parts;
 
 use super::*;
-use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusSegmentTraits};
+use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusPath, TorusSegmentTraits};
 use crate::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
+use crate::traits::{SideKind, Sides, UMonotoneTraits};
+use exact::Rational;
 use exact::planar::Point2;
 
 /// Numbers as good as random.
 struct Numbers(u64);
 
 impl Numbers {
+    fn of_seed(seed: u64) -> Self {
+        Self(seed.wrapping_mul(0x1234_5678_9abc))
+    }
+
     fn below(&mut self, bound: i64) -> i64 {
         self.0 ^= self.0 << 13;
         self.0 ^= self.0 >> 7;
         self.0 ^= self.0 << 17;
         (self.0 % bound as u64) as i64
     }
+
+    /// Between `-bound` and `bound`.
+    fn around(&mut self, bound: i64) -> i64 {
+        self.below(2 * bound + 1) - bound
+    }
+
+    fn point(&mut self, size: [i64; 2]) -> Point2 {
+        Point2::from_i64(size.map(|size| self.below(size)))
+    }
+
+    fn some_points(&mut self, size: [i64; 2]) -> Vec<Point2> {
+        (0..self.below(4)).map(|_| self.point(size)).collect()
+    }
+}
+
+/// Segments and points on a small grid.
+fn random_segments(numbers: &mut Numbers, most: i64) -> Arrangement<SegmentTraits, BoundedPlane> {
+    let size = [3 + numbers.below(6); 2];
+    let segments: Vec<Segment> = (0..1 + numbers.below(most))
+        .filter_map(|_| {
+            let mut point = || size.map(|size| numbers.below(size));
+            Segment::from_i64([point(), point()])
+        })
+        .collect();
+    let points = numbers.some_points(size);
+    Arrangement::of_curves_and_points(SegmentTraits, BoundedPlane, &segments, points)
+}
+
+/// Lines, rays, segments and points on a small grid.
+fn random_lines(numbers: &mut Numbers, most: i64) -> Arrangement<LinearTraits, UnboundedPlane> {
+    let size = [2 + numbers.below(4); 2];
+    let curves: Vec<Linear> = (0..1 + numbers.below(most))
+        .filter_map(|_| {
+            let (p, q) = (numbers.point(size), numbers.point(size));
+            match numbers.below(3) {
+                0 => Linear::line(&p, &q),
+                1 => Linear::ray(p, &q),
+                _ => Linear::segment(p, q),
+            }
+        })
+        .collect();
+    let points = numbers.some_points(size);
+    Arrangement::of_curves_and_points(LinearTraits, UnboundedPlane, &curves, points)
+}
+
+/// A path on a torus: anywhere, along a seam, through the corner, or closed and not dividing.
+fn random_path(traits: &TorusSegmentTraits, numbers: &mut Numbers, size: [i64; 2]) -> TorusPath {
+    let way = |way: [i64; 2]| way.map(Rational::from);
+    let start = numbers.point(size);
+    let [x, y] = size.map(|size| numbers.below(size));
+    let path = match numbers.below(6) {
+        0 => traits.path(&Point2::from_i64([0, y]), &way([0, numbers.around(5)])),
+        1 => traits.path(&Point2::from_i64([x, 0]), &way([numbers.around(5), 0])),
+        2 => {
+            let [a, b] = [numbers.around(2), numbers.around(2)];
+            traits.path(&Point2::from_i64([a, b]), &way([-2 * a, -2 * b]))
+        }
+        3 => traits.closed_path(&start, [numbers.around(2), numbers.around(2)]),
+        4 => traits.path(&Point2::from_i64([0, y]), &way([numbers.around(5), numbers.around(5)])),
+        _ => traits.path(&start, &way([numbers.around(5), numbers.around(5)])),
+    };
+    path.expect("the path is short")
+}
+
+/// Paths and points on a torus, on a small grid.
+fn random_paths(numbers: &mut Numbers, most: i64) -> Arrangement<TorusSegmentTraits, FlatTorus> {
+    let size = [1 + numbers.below(4), 1 + numbers.below(4)];
+    let traits = TorusSegmentTraits::new(size.map(Rational::from)).expect("the periods are positive");
+    let n = numbers.below(most + 1);
+    let paths: Vec<_> = (0..n).map(|_| random_path(&traits, numbers, size)).collect();
+    let points = numbers.some_points(size);
+    Arrangement::of_curves_and_points(traits, FlatTorus, &paths, points)
+}
+
+/// A torus of which one pair of sides is not glued: no curve reaches it.
+#[derive(Clone, Copy, Debug)]
+struct Cylinder {
+    is_u_identified: bool,
+}
+
+impl Topology<TorusSegmentTraits> for Cylinder {
+    fn sides(&self) -> Sides {
+        let [closed, identified] = [[SideKind::Closed; 2], [SideKind::Identified; 2]];
+        match self.is_u_identified {
+            true => Sides { u: identified, v: closed },
+            false => Sides { u: closed, v: identified },
+        }
+    }
+
+    fn genus(&self) -> u32 {
+        0
+    }
+
+    fn end_location(
+        &self,
+        traits: &TorusSegmentTraits,
+        curve: &<TorusSegmentTraits as BasicTraits>::UMonotoneCurve,
+        end: CurveEnd,
+    ) -> Location {
+        FlatTorus.end_location(traits, curve, end)
+    }
+
+    fn point_location(&self, traits: &TorusSegmentTraits, point: &Point2) -> Location {
+        FlatTorus.point_location(traits, point)
+    }
+
+    fn compare_sites(
+        &self,
+        traits: &TorusSegmentTraits,
+        a: &Site<'_, TorusSegmentTraits>,
+        b: &Site<'_, TorusSegmentTraits>,
+    ) -> Ordering {
+        FlatTorus.compare_sites(traits, a, b)
+    }
+}
+
+/// Paths and points on a cylinder, on a small grid.
+fn random_cylinder(numbers: &mut Numbers, most: i64) -> Arrangement<TorusSegmentTraits, Cylinder> {
+    let cylinder = Cylinder { is_u_identified: numbers.below(2) == 0 };
+    // Around and along.
+    let size = [1 + numbers.below(4), 2 + numbers.below(4)];
+    let turned = |[around, along]: [i64; 2]| match cylinder.is_u_identified {
+        true => [around, along],
+        false => [along, around],
+    };
+    let traits = TorusSegmentTraits::new(turned(size).map(Rational::from)).expect("the periods are positive");
+    let place = |numbers: &mut Numbers| [numbers.below(size[0]), 1 + numbers.below(size[1] - 1)];
+    let n = numbers.below(most + 1);
+    let paths: Vec<_> = (0..n)
+        .map(|_| {
+            let start = place(numbers);
+            let through = Point2::from_i64(turned(start));
+            let path = match numbers.below(4) {
+                0 => traits.closed_path(&through, turned([1, 0])),
+                1 => {
+                    let along = [0, place(numbers)[1] - start[1]];
+                    let on_seam = Point2::from_i64(turned([0, start[1]]));
+                    traits.path(&on_seam, &turned(along).map(Rational::from))
+                }
+                _ => {
+                    let way = [numbers.around(5), place(numbers)[1] - start[1]];
+                    traits.path(&through, &turned(way).map(Rational::from))
+                }
+            };
+            path.expect("the path is short")
+        })
+        .collect();
+    let points: Vec<_> = (0..numbers.below(4)).map(|_| Point2::from_i64(turned(place(numbers)))).collect();
+    Arrangement::of_curves_and_points(traits, cylinder, &paths, points)
+}
+
+/// Runs a test on arrangements made from seeds on a surface.
+fn on<G: UMonotoneTraits, T: Topology<G>>(
+    seeds: u64,
+    most: i64,
+    make: impl Fn(&mut Numbers, i64) -> Arrangement<G, T>,
+    test: impl Fn(&Arrangement<G, T>, &mut Numbers, u64),
+) {
+    for seed in 1..=seeds {
+        let mut numbers = Numbers::of_seed(seed);
+        let arrangement = make(&mut numbers, most);
+        test(&arrangement, &mut numbers, seed);
+    }
+}
+
+fn has_no_faults<G: UMonotoneTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    _: &mut Numbers,
+    seed: u64,
+) {
+    let faults = Trapezoids::of(arrangement).find_faults(arrangement);
+    assert_eq!(faults, Vec::<String>::new(), "seed {seed}");
 }
 
 #[test]
 fn segments() {
-    for seed in 1..200 {
-        let mut numbers = Numbers(seed * 0x1234_5678_9abc);
-        let n = 1 + numbers.below(12);
-        let size = 3 + numbers.below(6);
-        let segments: Vec<Segment> = (0..n)
-            .filter_map(|_| {
-                let mut point = || [numbers.below(size), numbers.below(size)];
-                Segment::from_i64([point(), point()])
-            })
-            .collect();
-        let points = [[0, 0], [1, 1], [1, 2], [7, 1]].map(Point2::from_i64);
-        let arrangement = Arrangement::of_curves_and_points(SegmentTraits, BoundedPlane, &segments, points);
-        let trapezoids = Trapezoids::of(&arrangement);
-        assert_eq!(trapezoids.find_faults(&arrangement), Vec::<String>::new(), "seed {seed}");
-    }
+    on(300, 12, random_segments, has_no_faults);
 }
 
 #[test]
 fn lines_and_rays() {
-    for seed in 1..200 {
-        let mut numbers = Numbers(seed * 0x1234_5678_9abc);
-        let n = 1 + numbers.below(10);
-        let size = 2 + numbers.below(4);
-        let curves: Vec<Linear> = (0..n)
-            .filter_map(|_| {
-                let mut point = || Point2::from_i64([numbers.below(size), numbers.below(size)]);
-                let (p, q) = (point(), point());
-                match numbers.below(3) {
-                    0 => Linear::line(&p, &q),
-                    1 => Linear::ray(p, &q),
-                    _ => Linear::segment(p, q),
-                }
-            })
-            .collect();
-        let points = [[0, 0], [1, 1], [7, 1]].map(Point2::from_i64);
-        let arrangement = Arrangement::of_curves_and_points(LinearTraits, UnboundedPlane, &curves, points);
-        let trapezoids = Trapezoids::of(&arrangement);
-        assert_eq!(trapezoids.find_faults(&arrangement), Vec::<String>::new(), "seed {seed} {curves:?}");
-    }
+    on(300, 10, random_lines, has_no_faults);
 }
 
 #[test]
-#[ignore = "faces across seams are not connected yet"]
 fn paths_on_a_torus() {
-    let traits = TorusSegmentTraits::new([4.into(), 4.into()]).expect("the periods are positive");
-    for seed in 1..200 {
-        let mut numbers = Numbers(seed * 0x1234_5678_9abc);
-        let n = 1 + numbers.below(6);
-        let paths: Vec<_> = (0..n)
-            .filter_map(|_| {
-                let start = Point2::from_i64([numbers.below(4), numbers.below(4)]);
-                let way = [numbers.below(9) - 4, numbers.below(9) - 4].map(exact::Rational::from);
-                traits.path(&start, &way).ok()
-            })
-            .collect();
-        let points = [[0, 0], [1, 1], [0, 3]].map(Point2::from_i64);
-        let arrangement = Arrangement::of_curves_and_points(traits.clone(), FlatTorus, &paths, points);
-        let trapezoids = Trapezoids::of(&arrangement);
-        assert_eq!(trapezoids.find_faults(&arrangement), Vec::<String>::new(), "seed {seed} {paths:?}");
-    }
+    on(1000, 6, random_paths, has_no_faults);
+}
+
+#[test]
+fn paths_on_a_cylinder() {
+    on(500, 6, random_cylinder, has_no_faults);
 }

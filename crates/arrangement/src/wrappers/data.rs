@@ -3,10 +3,11 @@
 use super::forward::forward_traits;
 use crate::models::polycurve::PieceTraits;
 use crate::traits::{
-    ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, BoundedTraits, ContractedBottomTopTraits,
-    ContractedLeftRightTraits, CurveEnd, DirectionalTraits, IdentifiedBottomTopTraits,
-    IdentifiedLeftRightTraits, Intersection, Location, Meeting, NearBottomTopTraits, NearLeftRightTraits,
-    OpenBottomTopTraits, OpenLeftRightTraits, Piece, UMonotoneTraits, Window,
+    ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, BoundedTraits, ClosedBottomTopTraits,
+    ClosedLeftRightTraits, ContractedBottomTopTraits, ContractedLeftRightTraits, CurveEnd, DirectionalTraits,
+    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, Location, Meeting,
+    NearBottomTopTraits, NearLeftRightTraits, OpenBottomTopTraits, OpenLeftRightTraits, Piece,
+    UMonotoneTraits, Window,
 };
 use std::cmp::Ordering;
 use std::fmt::Debug;

@@ -6,5 +6,7 @@
 mod glue;
 mod paths;
 mod random;
+mod rectangle;
 mod strip;
 mod tables;
+mod transposed;

@@ -6,11 +6,12 @@ use crate::tables::KINDS;
 use exact::planar::Point2;
 use splitstar_arrangement::Arrangement;
 use splitstar_arrangement::overlay::{Cell, Provenance, overlay_all};
-use splitstar_arrangement::traits::SideKind;
+use splitstar_arrangement::topology::Topology;
+use splitstar_arrangement::traits::{SideKind, UMonotoneTraits};
 use std::collections::BTreeSet;
 use testkit::Rng;
 
-const SIZE: [i64; 2] = [6, 4];
+pub(crate) const SIZE: [i64; 2] = [6, 4];
 
 fn random_curve(rng: &mut Rng, kinds: [SideKind; 2]) -> Curve {
     let [width, height] = SIZE;
@@ -50,14 +51,14 @@ fn random_curve(rng: &mut Rng, kinds: [SideKind; 2]) -> Curve {
     }
 }
 
-fn random_curves(rng: &mut Rng, kinds: [SideKind; 2], most: usize) -> Vec<Curve> {
+pub(crate) fn random_curves(rng: &mut Rng, kinds: [SideKind; 2], most: usize) -> Vec<Curve> {
     (0..1 + rng.index(most)).map(|_| random_curve(rng, kinds)).collect()
 }
 
 /// Cells of the result fit together as the cells of each operand do from which they come, and all of these have some.
-fn check_provenance<const M: bool>(
-    result: &Made<M>,
-    operands: &[Made<M>],
+pub(crate) fn check_provenance<G: UMonotoneTraits<Point = Point2>, T: Topology<G>>(
+    result: &Arrangement<G, T>,
+    operands: &[Arrangement<G, T>],
     provenance: &Provenance,
     context: &str,
 ) {

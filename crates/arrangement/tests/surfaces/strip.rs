@@ -4,9 +4,9 @@ use exact::planar::{Point2, compare_x, compare_y};
 use splitstar_arrangement::models::{Segment, SegmentTraits};
 use splitstar_arrangement::topology::{Site, SiteAt, Topology};
 use splitstar_arrangement::traits::{
-    Along, BasicTraits, BoundaryTraits, ContractedBottomTopTraits, CurveEnd, IdentifiedLeftRightTraits,
-    Intersection, Location, Meeting, Multiplicity, NearBottomTopTraits, NearLeftRightTraits,
-    OpenBottomTopTraits, SideKind, Sides, UMonotoneTraits, Window,
+    Along, BasicTraits, BoundaryTraits, ClosedBottomTopTraits, ContractedBottomTopTraits, CurveEnd,
+    IdentifiedLeftRightTraits, Intersection, Location, Meeting, Multiplicity, NearBottomTopTraits,
+    NearLeftRightTraits, OpenBottomTopTraits, SideKind, Sides, UMonotoneTraits, Window,
 };
 use std::cmp::Ordering;
 
@@ -48,7 +48,7 @@ impl Piece {
 
 impl<const MEET_ONCE: bool> Strip<MEET_ONCE> {
     /// Where a place in the closed strip is.
-    fn location(&self, place: &Point2) -> Location {
+    pub(crate) fn location(&self, place: &Point2) -> Location {
         let along = |at: &Point2, compare: fn(&Point2, &Point2) -> Ordering| {
             if compare(at, &Point2::from_i64([0, 0])).is_eq() {
                 Along::Low
@@ -66,12 +66,23 @@ impl<const MEET_ONCE: bool> Strip<MEET_ONCE> {
         Location { u: along(place, compare_x), v }
     }
 
-    fn point_of_place(&self, place: &Point2) -> Option<Point2> {
+    /// The point that a contracted side is: one outside the strip, because none inside is like another.
+    fn pole(&self, side: usize) -> Option<Point2> {
+        let pole = Point2::from_i64([-1, [0, self.size[1]][side]]);
+        (self.v[side] == SideKind::Contracted).then_some(pole)
+    }
+
+    pub(crate) fn point_of_place(&self, place: &Point2) -> Option<Point2> {
         match self.location(place) {
-            Location { v: Along::Low | Along::High, .. } => None,
+            Location { v: Along::Low, .. } => self.pole(0),
+            Location { v: Along::High, .. } => self.pole(1),
             Location { u: Along::High, .. } => Some(place.translated(&[(-self.size[0]).into(), 0.into()])),
             _ => Some(place.clone()),
         }
+    }
+
+    pub(crate) fn is_on_seam(&self, p: &Point2) -> bool {
+        compare_x(p, &Point2::from_i64([0, 0])).is_eq()
     }
 
     pub(crate) fn piece(&self, segment: Segment) -> Piece {
@@ -133,7 +144,8 @@ impl<const MEET_ONCE: bool> BasicTraits for Strip<MEET_ONCE> {
     }
 
     fn is_on_curve(&self, p: &Point2, curve: &Piece) -> bool {
-        self.places(p).iter().any(|place| SegmentTraits.is_on_curve(place, &curve.segment))
+        let is_end = curve.points.iter().flatten().any(|end| end == p);
+        is_end || self.places(p).iter().any(|place| SegmentTraits.is_on_curve(place, &curve.segment))
     }
 }
 
@@ -240,12 +252,13 @@ impl<const MEET_ONCE: bool> NearBottomTopTraits for Strip<MEET_ONCE> {
     }
 }
 
+impl<const MEET_ONCE: bool> ClosedBottomTopTraits for Strip<MEET_ONCE> {}
 impl<const MEET_ONCE: bool> OpenBottomTopTraits for Strip<MEET_ONCE> {}
 impl<const MEET_ONCE: bool> ContractedBottomTopTraits for Strip<MEET_ONCE> {}
 
 impl<const MEET_ONCE: bool> IdentifiedLeftRightTraits for Strip<MEET_ONCE> {
     fn is_on_left_right(&self, p: &Point2) -> bool {
-        compare_x(p, &Point2::from_i64([0, 0])).is_eq()
+        self.is_on_seam(p)
     }
 
     fn compare_v_on_left_right(&self, p: &Point2, q: &Point2) -> Ordering {
@@ -259,7 +272,11 @@ pub(crate) struct Band(pub(crate) [SideKind; 2]);
 
 impl<G> Topology<G> for Band
 where
-    G: IdentifiedLeftRightTraits + NearLeftRightTraits + OpenBottomTopTraits + ContractedBottomTopTraits,
+    G: IdentifiedLeftRightTraits
+        + NearLeftRightTraits
+        + ClosedBottomTopTraits
+        + OpenBottomTopTraits
+        + ContractedBottomTopTraits,
 {
     fn sides(&self) -> Sides {
         Sides { u: [SideKind::Identified; 2], v: self.0 }

@@ -75,7 +75,7 @@ fn inner_rows() -> Vec<Row> {
 }
 
 fn check(name: &str, kinds: [SideKind; 2], curves: &[Curve], expected: [usize; 3]) {
-    for by in [0, 1, 5, 11, -7] {
+    for by in [0, 1, 5, 9, 11, -7] {
         let curves: Vec<Curve> = curves.iter().map(|curve| curve.moved(by)).collect();
         let context = format!("{name}, {kinds:?}, moved by {by}: {curves:?}");
         assert_eq!(face_count(SIZE, kinds, &curves), expected[2], "the oracle: {context}");
@@ -161,4 +161,43 @@ fn to_closed_sides() {
         [3, 3, 2],
     );
     check("a point on the bottom", &[path([0, 0], [0, 0]), path([3, 8], [3, 8])], [2, 0, 1]);
+}
+
+/// What a curve along the seam closes off is behind it: on the right side of the strip, not on the left one.
+#[test]
+fn a_meridian_on_the_seam_separates_left_from_right() {
+    let curves = [path([0, 0], [0, 8]), path([2, 8], [0, 3]), path([5, 0], [5, 8])];
+    check("a meridian on the seam", [Contracted, Open], &curves[..1], [0, 1, 1]);
+    check("with a curve to it from the top", [Contracted, Open], &curves[..2], [1, 3, 2]);
+    check("with another meridian", [Open, Contracted], &curves, [1, 4, 3]);
+}
+
+/// In a corner, events come in the order of the left or right side, which is not that around the pole.
+#[test]
+fn curves_into_a_corner_are_in_order_around_the_pole() {
+    for corner in [[0, 0], [0, 8], [12, 0], [12, 8]] {
+        let inwards = if corner[0] == 0 { 1 } else { -1 };
+        let to = |by: i64, v: i64| [corner[0] + inwards * by, v];
+        let rays = [to(1, 4), to(3, 4), to(6, 4)].map(|to| path(corner, to));
+        let rim = [path(to(1, 4), to(3, 4)), path(to(3, 4), to(6, 4))];
+        let curves = [&rays[..], &rim[..]].concat();
+        check("a fan in a corner", [Contracted, Contracted], &curves, [3, 5, 3]);
+        check("a fan in a corner", [Open, Open], &curves, [3, 5, 3]);
+        let with_seam = [&curves[..], &[meridian(0)]].concat();
+        check("a fan beside the seam", [Contracted, Contracted], &with_seam, [3, 6, 3]);
+    }
+}
+
+/// A side to which nothing comes is in the face beside it, and not in that of the lower left corner.
+#[test]
+fn a_pole_beyond_a_parallel_is_in_its_own_face() {
+    for kinds in [[Open, Open], [Contracted, Contracted]] {
+        let arrangement = make::<true>(SIZE, kinds, &[Curve::Parallel(4)]);
+        let dcel = arrangement.dcel();
+        let poles = dcel.vertices().filter(|&v| arrangement.is_at_infinity(v));
+        let faces: Vec<_> = poles.map(|v| dcel.isolated_face(v).unwrap()).collect();
+        assert_eq!(faces.len(), 2);
+        assert_ne!(faces[0], faces[1], "{kinds:?}");
+        assert_eq!(faces[0], arrangement.corner_face(), "{kinds:?}");
+    }
 }

@@ -202,6 +202,8 @@ impl ConnectTraits for Everything {
 }
 
 impl BoundedTraits for Everything {}
+impl ClosedLeftRightTraits for Everything {}
+impl ClosedBottomTopTraits for Everything {}
 impl OpenLeftRightTraits for Everything {}
 impl OpenBottomTopTraits for Everything {}
 impl ContractedLeftRightTraits for Everything {}
@@ -213,6 +215,8 @@ pub(crate) trait All:
     + DirectionalTraits
     + ApproxTraits
     + BoundedTraits
+    + ClosedLeftRightTraits
+    + ClosedBottomTopTraits
     + OpenLeftRightTraits
     + OpenBottomTopTraits
     + ContractedLeftRightTraits
@@ -228,6 +232,8 @@ impl<G> All for G where
         + DirectionalTraits
         + ApproxTraits
         + BoundedTraits
+        + ClosedLeftRightTraits
+        + ClosedBottomTopTraits
         + OpenLeftRightTraits
         + OpenBottomTopTraits
         + ContractedLeftRightTraits

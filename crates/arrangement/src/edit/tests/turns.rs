@@ -1,6 +1,6 @@
 //! Kinds of CCBs, compared with what a sweep says.
 
-use super::scenes::{OnTorus, random_plane, random_torus, random_whole_plane, torus};
+use super::scenes::{OnTorus, plane, random_plane, random_torus, random_whole_plane, torus};
 use super::{Rng, Snapshot, is_shown_alike};
 use crate::arrangement::Arrangement;
 use crate::edit::turns::SettledInsertion;
@@ -8,7 +8,7 @@ use crate::edit::{Edit, EditOf, Mirror, Observer, Operation, Undo};
 use crate::insert::Pieces;
 use crate::topology::Topology;
 use crate::traits::UMonotoneTraits;
-use dcel::{CcbKind, EdgeId, EndFate, FaceId};
+use dcel::{CcbKind, EdgeId, EndFate, FaceId, Side};
 use exact::planar::Point2;
 
 /// What the tests want of a model.
@@ -156,7 +156,7 @@ fn remove_all<G: Traits, T: Topology<G>>(mut arrangement: Arrangement<G, T>, rng
 #[test]
 fn removing_all_edges_of_the_plane() {
     let mut rng = Rng(1);
-    let splits: usize = (0..60).map(|_| remove_all(random_plane(&mut rng), &mut rng)).sum();
+    let splits: usize = (0..250).map(|_| remove_all(random_plane(&mut rng), &mut rng)).sum();
     assert!(splits > 100, "{splits}");
 }
 
@@ -194,6 +194,27 @@ fn removing_what_winds_round_a_torus() {
     for scene in scenes {
         for _ in 0..20 {
             remove_all(torus(scene), &mut rng);
+        }
+    }
+}
+
+/// Two squares side by side, with points in them: the face with more in it survives, but the outer one before all.
+#[test]
+fn the_face_with_more_in_it_survives() {
+    let squares =
+        [[0, 0, 4, 0], [4, 0, 8, 0], [0, 4, 4, 4], [4, 4, 8, 4], [0, 0, 0, 4], [4, 0, 4, 4], [8, 0, 8, 4]];
+    for (points, is_left) in [(&[[1, 1], [1, 2], [6, 2]], true), (&[[1, 1], [6, 1], [6, 2]], false)] {
+        let arrangement = plane(&squares, points);
+        let dcel = arrangement.dcel();
+        let sides = |e: EdgeId| [Side::Even, Side::Odd].map(|side| dcel.face(e.half(side)));
+        for e in dcel.edges() {
+            let survivor = dcel.face(e.half(arrangement.survivor_of(e)));
+            if sides(e).contains(&arrangement.corner_face()) {
+                assert_eq!(survivor, arrangement.corner_face());
+            } else {
+                // The edge between the squares runs up: the left one is on its even side.
+                assert_eq!(survivor, sides(e)[usize::from(!is_left)], "{points:?}");
+            }
         }
     }
 }

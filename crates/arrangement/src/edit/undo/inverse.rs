@@ -1,49 +1,17 @@
-//! Taking changes back, one by one.
+//! The inverse of a primitive change: what of it is known before, and the rest after.
 
-use super::{Done, Edit, EditOf, Observer, Operation, Stale, Stamp};
 use crate::arrangement::{Arrangement, CurveId};
+use crate::edit::{Done, Edit, EditOf, Observer};
 use crate::topology::Topology;
 use crate::traits::{BasicTraits, CurveEnd};
 use dcel::{CcbId, CcbKind, Dcel, EdgeId, EndFate, FaceId, HalfedgeId, Removed, Side, VertexId};
 
-/// Records how to take changes back.
-///
-/// What is taken back leaves vertices, edges, halfedges and faces with the ids that they had. What may differ: which CCB has which id (the
-/// CCBs of a loop that is alone on its component may be exchanged) and with which halfedge it begins; the order in which a face lists its CCBs
-/// and isolated vertices; and the curves that were added stay.
-///
-/// Taking back is an operation of its own, [`Operation::Undo`], which is told to other observers and is not recorded here. Where all was
-/// replaced, and where the recorder missed a change, the records before are dropped.
-///
-/// # Complexity
-/// A record takes constant time and memory; but that of a removal, or of faces that are merged, is linear in the number of CCBs and isolated
-/// vertices of the face that goes.
-#[derive(Clone, Debug)]
-pub struct Undo<G: BasicTraits> {
-    steps: Vec<StepOf<G>>,
-    /// Where the operations begin.
-    starts: Vec<usize>,
-    pending: Pending<G::Point, G::UMonotoneCurve>,
-    stamp: Stamp,
-    state: State,
-}
-
-/// Where the recorder is.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-enum State {
-    /// Between operations: a change is an operation of its own.
-    Between,
-    /// In an operation.
-    Within,
-    /// In one that takes changes back.
-    Undoing,
-}
-
-type StepOf<G> = Vec<Inverse<<G as BasicTraits>::Point, <G as BasicTraits>::UMonotoneCurve>>;
+/// The changes that take one change back, in their order.
+pub(super) type StepOf<G> = Vec<Inverse<<G as BasicTraits>::Point, <G as BasicTraits>::UMonotoneCurve>>;
 
 /// A change that takes back another one or a part of it. CCBs are named by halfedges, which keep their ids.
 #[derive(Clone, Debug)]
-enum Inverse<P, C> {
+pub(super) enum Inverse<P, C> {
     Edit(Edit<P, C>),
     SplitFace { h: HalfedgeId },
     MoveCcb { h: HalfedgeId, face: FaceId },
@@ -52,10 +20,11 @@ enum Inverse<P, C> {
 
 /// What has to be known of the time before a change.
 #[derive(Clone, Debug)]
-enum Pending<P, C> {
+pub(super) enum Pending<P, C> {
     /// The inverse is known at once.
     Known(Vec<Inverse<P, C>>),
-    /// The inverse is the removal of what the edit makes, and then these. The ends that had no edge and no face are removed, and added again.
+    /// The inverse is the removal of what the edit makes, and then these. The ends that had no edge and no face are removed, and added
+    /// again.
     Inserted { ends: [EndFate; 2], then: Vec<Inverse<P, C>> },
     /// The face that is split.
     SplitFace { face: FaceId },
@@ -64,7 +33,7 @@ enum Pending<P, C> {
 }
 
 #[derive(Clone, Debug)]
-struct Removal<P, C> {
+pub(super) struct Removal<P, C> {
     e: EdgeId,
     ends: [VertexId; 2],
     /// The halfedges that the two halves follow.
@@ -79,85 +48,8 @@ struct Removal<P, C> {
     moved: Vec<Inverse<P, C>>,
 }
 
-impl<G: BasicTraits> Undo<G> {
-    /// Begins to record.
-    pub fn new<T>(arrangement: &Arrangement<G, T>) -> Self {
-        Self {
-            steps: Vec::new(),
-            starts: Vec::new(),
-            pending: Pending::Known(Vec::new()),
-            stamp: arrangement.stamp(),
-            state: State::Between,
-        }
-    }
-
-    /// The number of operations that can be taken back.
-    pub fn operation_count(&self) -> usize {
-        self.starts.len()
-    }
-
-    /// Forgets all that was recorded, and goes on with the present state of an arrangement.
-    pub fn restart<T>(&mut self, arrangement: &Arrangement<G, T>) {
-        *self = Self::new(arrangement);
-    }
-
-    /// Gives the last operation, which is recorded no more.
-    pub fn pop(&mut self) -> Option<Recorded<G>> {
-        let start = self.starts.pop()?;
-        Some(Recorded { steps: self.steps.split_off(start), stamp: self.stamp })
-    }
-
-    /// Takes the last operation back, if there is one, and tells so. For a recorder that is not among those who are told;
-    /// else: [`Undo::pop`], and [`Recorded::take_back`].
-    ///
-    /// # Errors
-    /// If the arrangement is not in the state to which the last change led it. Then the operation is still recorded.
-    #[cfg_attr(not(test), expect(dead_code, reason = "for the editor"))]
-    pub(crate) fn take_back<T: Topology<G>, O: Observer<G, T> + ?Sized>(
-        &mut self,
-        arrangement: &mut Arrangement<G, T>,
-        observer: &mut O,
-    ) -> Result<bool, Stale> {
-        Stale::check(self.stamp, arrangement.stamp())?;
-        let Some(recorded) = self.pop() else { return Ok(false) };
-        recorded.take_back(arrangement, observer)?;
-        self.stamp = arrangement.stamp();
-        Ok(true)
-    }
-}
-
-/// An operation, with all that is needed to take it back.
-#[derive(Clone, Debug)]
-pub struct Recorded<G: BasicTraits> {
-    steps: Vec<StepOf<G>>,
-    stamp: Stamp,
-}
-
-impl<G: BasicTraits> Recorded<G> {
-    /// Takes the operation back, and tells so. A recorder among those who are told knows that it is to record nothing of it.
-    ///
-    /// # Errors
-    /// If the arrangement is not in the state to which the operation led it.
-    ///
-    /// # Complexity
-    /// As of the changes that are made.
-    pub(crate) fn take_back<T: Topology<G>, O: Observer<G, T> + ?Sized>(
-        self,
-        arrangement: &mut Arrangement<G, T>,
-        observer: &mut O,
-    ) -> Result<(), Stale> {
-        Stale::check(self.stamp, arrangement.stamp())?;
-        observer.begin_operation(arrangement, Operation::Undo);
-        for step in self.steps.into_iter().rev() {
-            step.into_iter().for_each(|inverse| inverse.run(arrangement, observer));
-        }
-        observer.end_operation(arrangement, Operation::Undo);
-        Ok(())
-    }
-}
-
 impl<P: Clone, C: Clone> Inverse<P, C> {
-    fn run<G, T, O>(self, arrangement: &mut Arrangement<G, T>, observer: &mut O)
+    pub(super) fn run<G, T, O>(self, arrangement: &mut Arrangement<G, T>, observer: &mut O)
     where
         G: BasicTraits<Point = P, UMonotoneCurve = C>,
         T: Topology<G>,
@@ -313,6 +205,36 @@ impl<G: BasicTraits, T: Topology<G>> Before<'_, G, T> {
     }
 }
 
+impl<P: Clone, C: Clone> Pending<P, C> {
+    /// What has to be known before an edit.
+    pub(super) fn of<G, T>(arrangement: &Arrangement<G, T>, edit: &Edit<P, C>) -> Self
+    where
+        G: BasicTraits<Point = P, UMonotoneCurve = C>,
+        T: Topology<G>,
+    {
+        Before { arrangement, dcel: &arrangement.dcel }.pending(edit)
+    }
+
+    /// The inverse, once it is known what came of the edit.
+    pub(super) fn inverse(self, edit: &Edit<P, C>, done: Done) -> Vec<Inverse<P, C>> {
+        match self {
+            Self::Known(step) => step,
+            Self::SplitFace { face } => {
+                vec![Inverse::Edit(Edit::MergeFaces { kept: face, gone: done.face() })]
+            }
+            Self::Removal(removal) => removal.inverse(done.removed()),
+            Self::Inserted { ends, then } => {
+                let inverse = match (edit, done) {
+                    (Edit::SplitEdge { e, v, .. }, _) => Edit::MergeEdges { kept: *e, v: *v },
+                    (_, Done::Vertex(v)) => Edit::RemoveIsolatedVertex { v },
+                    (_, done) => Edit::RemoveEdge { e: done.edge(), ends, survivor: Side::Even },
+                };
+                std::iter::once(Inverse::Edit(inverse)).chain(then).collect()
+            }
+        }
+    }
+}
+
 impl<P: Clone, C: Clone> Removal<P, C> {
     /// The edge is inserted again: see [`Removed`] for what there is then to insert it into.
     fn inverse(self, removed: Removed) -> Vec<Inverse<P, C>> {
@@ -344,69 +266,5 @@ impl<P: Clone, C: Clone> Removal<P, C> {
             step.extend(self.moved);
         }
         step
-    }
-}
-
-impl<G: BasicTraits, T: Topology<G>> Observer<G, T> for Undo<G> {
-    fn before(&mut self, arrangement: &Arrangement<G, T>, edit: &EditOf<G>) {
-        if self.stamp != arrangement.stamp() {
-            let state = self.state;
-            self.restart(arrangement);
-            self.state = state;
-        }
-        if self.state != State::Undoing {
-            self.pending = Before { arrangement, dcel: &arrangement.dcel }.pending(edit);
-        }
-    }
-
-    fn after(&mut self, arrangement: &Arrangement<G, T>, edit: &EditOf<G>, done: &Done) {
-        self.stamp = arrangement.stamp();
-        if self.state == State::Undoing {
-            return;
-        }
-        let step = match std::mem::replace(&mut self.pending, Pending::Known(Vec::new())) {
-            Pending::Known(step) => step,
-            Pending::SplitFace { face } => {
-                vec![Inverse::Edit(Edit::MergeFaces { kept: face, gone: done.face() })]
-            }
-            Pending::Removal(removal) => removal.inverse(done.removed()),
-            Pending::Inserted { ends, then } => {
-                let inverse = match (edit, *done) {
-                    (Edit::SplitEdge { e, v, .. }, _) => Edit::MergeEdges { kept: *e, v: *v },
-                    (_, Done::Vertex(v)) => Edit::RemoveIsolatedVertex { v },
-                    (_, done) => Edit::RemoveEdge { e: done.edge(), ends, survivor: Side::Even },
-                };
-                std::iter::once(Inverse::Edit(inverse)).chain(then).collect()
-            }
-        };
-        if self.state == State::Between || self.starts.is_empty() {
-            self.starts.push(self.steps.len());
-        }
-        self.steps.push(step);
-    }
-
-    fn begin_operation(&mut self, _: &Arrangement<G, T>, operation: Operation) {
-        if operation == Operation::Undo {
-            self.state = State::Undoing;
-        } else {
-            self.state = State::Within;
-            self.starts.push(self.steps.len());
-        }
-    }
-
-    fn end_operation(&mut self, _: &Arrangement<G, T>, _: Operation) {
-        // One that changed nothing is none.
-        if self.state == State::Within && self.starts.last() == Some(&self.steps.len()) {
-            self.starts.pop();
-        }
-        self.state = State::Between;
-    }
-
-    fn after_global(&mut self, arrangement: &Arrangement<G, T>) {
-        self.restart(arrangement);
-    }
-
-    fn check_stamp(&self, stamp: Stamp) -> Result<(), Stale> {
-        Stale::check(self.stamp, stamp)
     }
 }
