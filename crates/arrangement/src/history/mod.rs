@@ -15,8 +15,8 @@
 //! kept in order when edges are split and merged.
 //!
 //! A vertex of degree 2 is looked at when an input goes that ran through it. The sets of its two edges tell which pieces end there and
-//! which pass. If no piece ends, the vertex goes; if all that end were only cut there, and none passes, it is artificial; otherwise it
-//! is ordinary. That is what a sweep over the inputs that are left says of it.
+//! which pass. If no piece ends, the vertex goes; if all that end were only cut there, it is artificial; otherwise it is ordinary. That
+//! is what a sweep over the inputs that are left says of it.
 
 mod aggregate;
 mod global;

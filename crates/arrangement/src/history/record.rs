@@ -277,29 +277,24 @@ impl History {
         if self.has_point(v) {
             return Need::Ordinary;
         }
-        let (mut has_end, mut is_passed) = (false, false);
         // A piece that leaves on another edge than its first one has come from somewhere.
         let passes = |h: HalfedgeId, piece| {
             h.is_even() && self.first(piece) != Some(h.edge_id()) && self.has(h.edge_id(), piece)
         };
+        let mut need = Need::Redundant;
         for h in leaving {
             for &piece in self.of_edges.get(h.edge()) {
                 if leaving.iter().any(|&h| passes(h, piece)) {
-                    is_passed = true;
                     continue;
                 }
-                has_end = true;
                 let end = if h.is_even() { CurveEnd::Min } else { CurveEnd::Max };
                 if !self.is_artificial(piece, end) {
                     return Need::Ordinary;
                 }
+                need = Need::Artificial;
             }
         }
-        match (has_end, is_passed) {
-            (false, _) => Need::Redundant,
-            (true, false) => Need::Artificial,
-            (true, true) => Need::Ordinary,
-        }
+        need
     }
 }
 
