@@ -13,7 +13,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// of the face that had more CCBs and isolated vertices. The kinds of CCBs in the answer are settled when it is given.
     ///
     /// Degenerate: a vertex that stands for a side stays. A vertex of which two edges are left that are one curve stays, too: see
-    /// [`Editor::merge_edges`].
+    /// [`Editor::merge_edges`]. An artificial vertex that is left with one edge or none becomes an ordinary
+    /// one.
     ///
     /// # Panics
     /// If there is no such edge.
@@ -120,7 +121,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Removes an edge within an operation: see [`Editor::remove_edge_with`].
     pub(crate) fn take_out_edge(&mut self, e: EdgeId, fates: [EndFate; 2]) -> Removed {
         let ends = self.arrangement.dcel().ends(e);
-        let fate = |i: usize| if self.arrangement.is_at_infinity(ends[i]) { EndFate::Isolate } else { fates[i] };
+        let fate =
+            |i: usize| if self.arrangement.is_at_infinity(ends[i]) { EndFate::Isolate } else { fates[i] };
         let fates = [fate(0), fate(if ends[0] == ends[1] { 0 } else { 1 })];
         self.trapezoids.remove_edge(&self.arrangement, e, fates);
         let removed = self.arrangement.remove_and_settle(e, fates, &mut self.observers);

@@ -78,7 +78,7 @@ const fn counts(vertices: usize, edges: usize, faces: usize) -> Counts {
 }
 
 /// All rows. The counts are those of CGAL 5.5.1; those of `long1000` were found by brute force, too.
-pub(super) const ROWS: [Row; 7] = [
+pub(super) const ROWS: [Row; 9] = [
     Row {
         name: "long1000",
         task: task(Operation::Build, Family::Long, 1_000),
@@ -130,5 +130,19 @@ pub(super) const ROWS: [Row; 7] = [
         counts: counts(312_962, 325_924, 36_065),
         peers: &[Peer::Cgal],
         requirements: &[times(4.0, Peer::Cgal)],
+    },
+    Row {
+        name: "insert10000",
+        task: task(Operation::Insert, Family::Short(15), 10_000),
+        counts: counts(24_539, 19_078, 584),
+        peers: &[Peer::Cgal],
+        requirements: &[times(100.0, Peer::Cgal)],
+    },
+    Row {
+        name: "insert1000",
+        task: task(Operation::Insert, Family::Long, 1_000),
+        counts: counts(113_476, 223_952, 110_479),
+        peers: &[Peer::Cgal],
+        requirements: &[times(3.0, Peer::Cgal)],
     },
 ];

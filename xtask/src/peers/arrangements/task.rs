@@ -19,6 +19,10 @@ const QUERY_SEED: u64 = 1_000;
 pub(crate) enum Operation {
     /// Aggregated insertion into an empty arrangement.
     Build,
+    /// Insertion one by one into an empty arrangement, in the order of the input.
+    Insert,
+    /// Removal of all edges of an arrangement that exists, in random order.
+    Remove,
     /// Overlay of two arrangements that exist.
     Overlay,
     /// Batched location of points in an arrangement that exists.
@@ -67,6 +71,8 @@ impl std::fmt::Display for Operation {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Operation::Build => "build",
+            Operation::Insert => "insert",
+            Operation::Remove => "remove",
             Operation::Overlay => "overlay",
             Operation::Locate => "locate",
         })
@@ -121,6 +127,8 @@ impl Task {
     pub(super) fn parse([operation, family, count]: [&str; 3]) -> Result<Task, Failure> {
         let operation = match operation {
             "build" => Operation::Build,
+            "insert" => Operation::Insert,
+            "remove" => Operation::Remove,
             "overlay" => Operation::Overlay,
             "locate" => Operation::Locate,
             _ => return Err(format!("no such operation: {operation}").into()),
@@ -144,7 +152,7 @@ impl Task {
     pub(super) fn operands(&self) -> Vec<Operand> {
         let first = self.family.operand(self.count, FIRST);
         match self.operation {
-            Operation::Build => vec![first],
+            Operation::Build | Operation::Insert | Operation::Remove => vec![first],
             Operation::Overlay => vec![first, self.family.operand(self.count, SECOND)],
             Operation::Locate => {
                 let Drawn { objects, hash } = query_points(QUERIES, QUERY_SEED);
@@ -182,10 +190,13 @@ impl Curves {
 mod tests {
     use super::*;
 
+    const OPERATIONS: [Operation; 5] =
+        [Operation::Build, Operation::Insert, Operation::Remove, Operation::Overlay, Operation::Locate];
+
     #[test]
     fn words_are_read_back() {
         let families = [Family::Long, Family::Short(9), Family::Lines, Family::Polylines];
-        for operation in [Operation::Build, Operation::Overlay, Operation::Locate] {
+        for operation in OPERATIONS {
             for family in families {
                 let task = Task { operation, family, count: 12 };
                 let words = task.words();
