@@ -14,11 +14,11 @@ fn p(u: i64, v: i64) -> Point2 {
 }
 
 fn segment(a: [i64; 2], b: [i64; 2]) -> Segment {
-    Segment::from_i64([a, b]).unwrap()
+    Segment::from_i64([a, b]).expect("the ends are different")
 }
 
 fn watched<G: ArrangementTraits + Clone, T: Topology<G>>(traits: G, topology: T) -> Made<G, T> {
-    Made::with_observers(traits, topology, |empty| Mirror::new(empty)).unwrap()
+    Made::with_observers(traits, topology, Mirror::new).expect("the mirror is new")
 }
 
 fn counts<G: ArrangementTraits + Clone, T: Topology<G>>(made: &Made<G, T>) -> [usize; 3] {
