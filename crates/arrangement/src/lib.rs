@@ -151,7 +151,7 @@ pub mod topology;
 pub mod traits;
 mod trapezoids;
 pub mod wrappers;
-mod zone;
+pub mod zone;
 
 pub use arrangement::{
     Arrangement, CellOrder, Counts, CurveId, Difference, Parts, UserEdgeId, UserView, Violation,

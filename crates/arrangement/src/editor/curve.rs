@@ -6,8 +6,8 @@ use crate::arrangement::{CurveId, assemble::covers};
 use crate::edit::{Edit, Observer, Operation};
 use crate::topology::{Site, Topology};
 use crate::traits::{ArrangementTraits, CurveEnd, Intersection, Location, Piece, UMonotoneTraits};
-use crate::trapezoids::{SiteId, TrapezoidId, compare_right};
-use crate::zone::{Hit, Walk};
+use crate::trapezoids::{SiteId, TrapezoidId};
+use crate::zone::{self, Hit, On, Walk, next};
 use dcel::EdgeId;
 
 /// What to do next with a curve.
@@ -112,34 +112,13 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let curve = arrangement.curve(id);
         let first = self.trapezoids.first_of(arrangement, site, curve);
         let place = self.trapezoids.place(arrangement, site);
-        let below = self.trapezoids.trapezoid(first).below;
-        if !below.is_none() && self.trapezoids.rail(below).ends[0] == site {
-            let rail = self.trapezoids.rail(below);
-            let other = &arrangement.curves()[rail.curve as usize];
-            if compare_right(arrangement, curve, other, &place).is_eq() {
-                return Next::Along(rail.edge, self.parting(curve, rail.edge, &place));
+        match next(arrangement, &self.trapezoids, curve, (&place, On::Site(site)), first) {
+            zone::Next::Along(rail, until) => Next::Along(self.trapezoids.rail(rail).edge, until),
+            zone::Next::Through => {
+                let hit = Walk::new(arrangement, &self.trapezoids, curve, &place, first).run();
+                Next::Through(first, hit)
             }
         }
-        let hit = Walk::new(arrangement, &self.trapezoids, curve, &place, first).run();
-        Next::Through(first, hit)
-    }
-
-    /// Where in the interior of an edge a curve that runs along it from its min vertex on parts from it or ends; `None` if it runs along
-    /// all of it.
-    fn parting(&self, curve: &G::UMonotoneCurve, e: EdgeId, start: &Site<'_, G>) -> Option<G::Point> {
-        let arrangement = &self.arrangement;
-        let (traits, topology) = (arrangement.traits(), arrangement.topology());
-        let max =
-            self.trapezoids.place(arrangement, self.trapezoids.rail(self.trapezoids.rail_of(e)).ends[1]);
-        let end = Site::of_end(topology, traits, curve, CurveEnd::Max);
-        let is_before = |place: &Site<'_, G>| topology.compare_sites(traits, place, &max).is_lt();
-        let end = end.point().filter(|_| is_before(&end)).cloned();
-        if G::MEET_ONCE {
-            return end;
-        }
-        let start = start.point().filter(|_| start.location.is_interior());
-        let parting = traits.end_of_overlap(curve, arrangement.curve_of(e), start);
-        parting.filter(|point| is_before(&Site::of_point(topology, traits, point))).or(end)
     }
 
     /// Goes along an edge, which is split where the curve leaves it.

@@ -85,6 +85,11 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         &self.arrangement
     }
 
+    /// Its decomposition.
+    pub(crate) fn trapezoids(&self) -> &Trapezoids<G> {
+        &self.trapezoids
+    }
+
     /// Those who watch.
     pub fn observers(&self) -> &O {
         &self.observers

@@ -18,14 +18,7 @@ pub(super) struct At {
 impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// The vertex that stands for the side on which a place lies, if one does.
     pub(super) fn side_vertex(&self, location: Location) -> Option<VertexId> {
-        use crate::traits::Along;
-        let [left, right, bottom, top] = self.arrangement.topology().side_vertices();
-        let of = |along, low, high| match along {
-            Along::Low => low,
-            Along::Inside => None,
-            Along::High => high,
-        };
-        of(location.v, bottom, top).or(of(location.u, left, right)).map(VertexId)
+        crate::zone::side_vertex(&self.arrangement, location)
     }
 
     /// The vertex at an end of a stored curve, made if there is none; an edge on which it lies is split. A new one has no edge, and

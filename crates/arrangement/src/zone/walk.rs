@@ -23,7 +23,8 @@ pub(crate) struct Walk<'a, G: UMonotoneTraits, T> {
     trapezoids: &'a Trapezoids<G>,
     curve: &'a G::UMonotoneCurve,
     end: Site<'a, G>,
-    /// Where the walk began, if that is no place on a side.
+    /// Where the walk began, or the last wall that it has passed, if that is no place on a side: there the curve and a rail that is below
+    /// or above it for the first time became neighbours. To the left of it, the rail may not be.
     after: Option<&'a G::Point>,
     /// The trapezoid in which it is.
     at: TrapezoidId,
@@ -87,6 +88,7 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Walk<'a, G, T> {
                 (_, Ordering::Less) => Side::Above,
             };
             self.at = self.trapezoids.right_of(site)[wall as usize];
+            self.after = place.point().filter(|_| place.location.is_interior());
         }
     }
 
