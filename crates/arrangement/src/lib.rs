@@ -13,6 +13,7 @@
 //! | [`sweep`] | the algorithm: events from left to right, told to a visitor that may stop it |
 //! | [`overlay`] | all cells of several arrangements cut by one another, with provenance |
 //! | [`edit`] | the primitive changes of an arrangement, and those who watch them |
+//! | [`history`] | arrangements that know which input runs along which edge, and from which inputs can be removed |
 //! | [`Arrangement`] | the cells: [`Arrangement::of_curves`], [`Arrangement::insert_curves`], [`Arrangement::counts`] |
 //! | [`Pieces`] | u-monotone curves and points, for [`Arrangement::of_pieces`]; with curves that are to be cut, [`Arrangement::of_curves_and_points`], [`Arrangement::insert_points`] |
 //! | [`Arrangement::user_view`], [`Arrangement::check_valid`], [`Arrangement::is_isomorphic`] | cells without artificial vertices; violations; comparison |
@@ -142,6 +143,7 @@
 mod arrangement;
 pub mod edit;
 mod editor;
+pub mod history;
 mod insert;
 pub mod models;
 pub mod overlay;
