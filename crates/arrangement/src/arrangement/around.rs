@@ -2,7 +2,7 @@
 
 use super::Arrangement;
 use crate::topology::{Site, SiteAt, Topology};
-use crate::traits::{Along, CurveEnd, Location, UMonotoneTraits};
+use crate::traits::{Along, BasicTraits, CurveEnd, Location, UMonotoneTraits};
 use dcel::{HalfedgeId, VertexId};
 use std::borrow::Cow;
 use std::cmp::Ordering;
@@ -53,23 +53,34 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
 
     /// Compares how two halfedges leave one vertex: see [`Arrangement::compare_around`].
     pub(crate) fn compare_rays(&self, a: &Ray<'_, G>, b: &Ray<'_, G>) -> Ordering {
-        a.sector().cmp(&b.sector()).then_with(|| match a.site.point() {
-            None => {
-                let order = self.topology.compare_sites(&self.traits, &a.site, &b.site);
-                // Along the sides counterclockwise, so around the vertex clockwise.
-                if matches!(a.site.location, Location { u: Along::High, .. })
-                    || a.site.location == (Location { u: Along::Inside, v: Along::Low })
-                {
-                    order.reverse()
-                } else {
-                    order
-                }
+        let Some(point) = a.site.point() else { return self.compare_ends(&a.site, &b.site) };
+        a.sector().cmp(&b.sector()).then_with(|| {
+            if a.is_even {
+                self.traits.compare_v_at_u_right(&a.curve, &b.curve, point)
+            } else {
+                self.traits.compare_v_at_u_left(&b.curve, &a.curve, point)
             }
-            Some(point) if a.is_even => self.traits.compare_v_at_u_right(&a.curve, &b.curve, point),
-            Some(point) => self.traits.compare_v_at_u_left(&b.curve, &a.curve, point),
         })
     }
+}
 
+impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
+    /// Compares two ends at one vertex without a point, counterclockwise around it: along the sides clockwise.
+    pub(crate) fn compare_ends(&self, a: &Site<'_, G>, b: &Site<'_, G>) -> Ordering {
+        let sector = |site: &Site<'_, G>| match site.location {
+            Location { u: Along::High, .. } => 3,
+            Location { u: Along::Low, .. } => 1,
+            Location { v: Along::High, .. } => 2,
+            _ => 0,
+        };
+        sector(a).cmp(&sector(b)).then_with(|| {
+            let order = self.topology.compare_sites(&self.traits, a, b);
+            if matches!(sector(a), 0 | 3) { order.reverse() } else { order }
+        })
+    }
+}
+
+impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// The halfedges that leave a vertex, in the order of [`Arrangement::compare_around`].
     pub(super) fn sorted_around(&self, v: VertexId) -> Vec<HalfedgeId> {
         let mut around: Vec<HalfedgeId> = self.dcel.around(v).collect();
@@ -90,18 +101,9 @@ pub(crate) struct Ray<'a, G: UMonotoneTraits> {
 }
 
 impl<G: UMonotoneTraits> Ray<'_, G> {
-    /// The directions of one kind, counterclockwise.
+    /// The directions of one kind at a point, counterclockwise.
     fn sector(&self) -> u32 {
-        let location = self.site.location;
-        if self.site.point().is_none() {
-            return match location {
-                Location { u: Along::High, .. } => 3,
-                Location { u: Along::Low, .. } => 1,
-                Location { v: Along::High, .. } => 2,
-                _ => 0,
-            };
-        }
-        match (self.is_even, location) {
+        match (self.is_even, self.site.location) {
             (true, Location { v: Along::High, .. }) => 0,
             (true, _) => 1,
             (false, Location { u: Along::Low, .. }) => 4,

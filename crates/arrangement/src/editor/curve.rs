@@ -8,7 +8,7 @@ use crate::topology::{Site, Topology};
 use crate::traits::{ArrangementTraits, CurveEnd, Intersection, Location, Piece, UMonotoneTraits};
 use crate::trapezoids::{SiteId, TrapezoidId};
 use crate::zone::{self, Hit, On, Walk, next};
-use dcel::EdgeId;
+use dcel::{EdgeId, VertexId};
 
 /// What to do next with a curve.
 pub(super) enum Next<P> {
@@ -55,8 +55,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     ) {
         let edit = Edit::AddCurve { curve };
         let id = self.arrangement.apply(edit, &mut self.observers).curve();
-        let start = self.vertex_at_end(id, CurveEnd::Min, is_artificial[0]);
-        let mut at = start;
+        let mut at = self.vertex_at_end(id, CurveEnd::Min, is_artificial[0]);
         loop {
             let (next, is_end) = match self.next_of(id, at.site) {
                 Next::Along(e, until) => {
@@ -77,26 +76,28 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                     (next, is_end)
                 }
             };
+            self.make_ordinary_if_shared(at.v);
             at = next;
-            if !(is_end && is_artificial[1]) {
-                self.make_ordinary(at.v);
-            }
             if is_end {
                 break;
             }
         }
-        // Where others are cut too, something happens.
-        for v in [start.v, at.v] {
-            if self.arrangement.dcel().around(v).nth(2).is_some() {
-                self.make_ordinary(v);
-            }
+        self.make_ordinary_if_shared(at.v);
+        if !is_artificial[1] {
+            self.make_ordinary(at.v);
+        }
+    }
+
+    /// Where a curve was cut and others are cut too or pass, something happens; but not if they run along both edges there.
+    fn make_ordinary_if_shared(&mut self, v: VertexId) {
+        if self.arrangement.dcel().around(v).nth(2).is_some() {
+            self.make_ordinary(v);
         }
     }
 
     /// The vertex of a site to which a curve has come.
     fn vertex_of(&self, site: SiteId) -> At {
-        let v = self.trapezoids.vertex(site).or_else(|| self.side_vertex(self.trapezoids.location(site)));
-        At { v: v.expect("a site is of a vertex"), site }
+        At { v: self.trapezoids.vertex(site), site }
     }
 
     fn is_end(&self, curve: CurveId, site: SiteId) -> bool {

@@ -3,7 +3,7 @@
 use super::Editor;
 use crate::arrangement::build::Builder;
 use crate::arrangement::{CurveId, Parts};
-use crate::edit::{Observer};
+use crate::edit::Observer;
 use crate::insert::Pieces;
 use crate::overlay::Provenance;
 use crate::topology::Topology;

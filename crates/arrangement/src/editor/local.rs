@@ -238,10 +238,10 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                 let face = self.trapezoids.face_of(arrangement, t);
                 let edit = Edit::AddIsolatedVertex { point: point.clone(), is_artificial: false, face };
                 let v = self.arrangement.apply(edit, &mut self.observers).vertex();
-                At { v, site: self.trapezoids.add_site(NewSite::Vertex(v), location, t) }
+                At { v, site: self.trapezoids.add_site(&self.arrangement, NewSite::Vertex(v), location, t) }
             }
             Found::Site(site) => {
-                let v = self.trapezoids.vertex(site).expect("a point is not at an end without one");
+                let v = self.trapezoids.vertex(site);
                 self.make_ordinary(v);
                 At { v, site }
             }

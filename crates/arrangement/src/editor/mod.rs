@@ -24,9 +24,9 @@ mod place;
 mod removal_tests;
 mod remove;
 mod rotation;
-mod undo;
 #[cfg(test)]
 mod tests;
+mod undo;
 
 use crate::arrangement::Arrangement;
 use crate::edit::{Observer, Operation, Stale};
@@ -116,9 +116,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let arrangement = &self.arrangement;
         let place = Site::of_point(arrangement.topology(), arrangement.traits(), point);
         match self.trapezoids.search(arrangement, &place, &Toward::Here).0 {
-            Found::Site(site) => {
-                Cell::Vertex(self.trapezoids.vertex(site).expect("a point is not at an end without one"))
-            }
+            Found::Site(site) => Cell::Vertex(self.trapezoids.vertex(site)),
             Found::Within(t) => {
                 let below = self.trapezoids.trapezoid(t).below;
                 if !below.is_none() {

@@ -31,7 +31,9 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
             let place = Site { location, at: crate::topology::SiteAt::End(the_curve, end) };
             let site = match self.trapezoids.find(arrangement, &place) {
                 Found::Site(site) => site,
-                Found::Within(t) => self.trapezoids.add_site(NewSite::End(curve.0, end), location, t),
+                Found::Within(t) => {
+                    self.trapezoids.add_site(&self.arrangement, NewSite::End(v, curve.0, end), location, t)
+                }
             };
             return At { v, site };
         }
@@ -47,7 +49,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let home_location = home.location;
         let at = match self.trapezoids.find(arrangement, &home) {
             Found::Site(site) => {
-                let v = self.trapezoids.vertex(site).expect("a point is not at an end without one");
+                let v = self.trapezoids.vertex(site);
                 if !is_artificial {
                     self.make_ordinary(v);
                 }
@@ -63,7 +65,15 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                     self.split_rail(below, point, home_location)
                 } else {
                     let v = self.add_vertex(point, is_artificial);
-                    At { v, site: self.trapezoids.add_site(NewSite::Vertex(v), home_location, t) }
+                    At {
+                        v,
+                        site: self.trapezoids.add_site(
+                            &self.arrangement,
+                            NewSite::Vertex(v),
+                            home_location,
+                            t,
+                        ),
+                    }
                 }
             }
         };
@@ -81,7 +91,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let place = Site { location, at: crate::topology::SiteAt::Point(point) };
         match self.trapezoids.find(&self.arrangement, &place) {
             Found::Site(site) => site,
-            Found::Within(t) => self.trapezoids.add_site(NewSite::Vertex(v), location, t),
+            Found::Within(t) => self.trapezoids.add_site(&self.arrangement, NewSite::Vertex(v), location, t),
         }
     }
 

@@ -21,7 +21,9 @@ impl Numbers {
 }
 
 /// The edges and isolated vertices of an arrangement, swept anew.
-fn swept_again<G: UMonotoneTraits + Clone, T: Topology<G>>(arrangement: &Arrangement<G, T>) -> Arrangement<G, T> {
+fn swept_again<G: UMonotoneTraits + Clone, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+) -> Arrangement<G, T> {
     let dcel = arrangement.dcel();
     let mut pieces = Pieces::<G>::new();
     for e in dcel.edges() {

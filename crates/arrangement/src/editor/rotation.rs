@@ -21,22 +21,28 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Finds the corners in which a new edge, whose rail is there, begins and ends.
     ///
     /// # Complexity
-    /// Constant at a vertex that is one place in the interior of the parameter space; else linear in its degree.
+    /// Constant at a vertex in the interior of the parameter space, logarithmic in its degree at one that stands for sides, linear at one
+    /// on an identified side.
     pub(super) fn corners(&self, new: &NewRail, vertices: [VertexId; 2]) -> Corners {
         let sites = self.trapezoids.rail(new.rail).ends;
-        let is_plain = |i: usize| {
-            self.trapezoids.location(sites[i]).is_interior() && !self.arrangement.is_at_infinity(vertices[i])
-        };
         let mut is_reversed = false;
-        let prevs = [0, 1].map(|i| match (is_plain(i), i) {
-            (true, 0) => self.corner_at_start(new),
-            (true, _) => self.corner_at_end(new),
-            (false, _) => self.corner_around(new.rail, vertices[i], i),
+        let prevs = [0, 1].map(|i| {
+            if self.arrangement.is_at_infinity(vertices[i]) {
+                let corner = self.trapezoids.corner_at_end(&self.arrangement, new.rail, sites[i])?;
+                is_reversed |= i == 0 && !corner.is_other_between;
+                return Some(corner.next.twin());
+            }
+            match (self.trapezoids.location(sites[i]).is_interior(), i) {
+                (true, 0) => self.corner_at_start(new),
+                (true, _) => self.corner_at_end(new),
+                (false, _) => self.corner_around(new.rail, vertices[i], i),
+            }
         });
-        if vertices[0] == vertices[1] && prevs[0] == prevs[1] && prevs[0].is_some() {
+        let is_one_corner = vertices[0] == vertices[1] && prevs[0].is_some() && prevs[0] == prevs[1];
+        if is_one_corner && !self.arrangement.is_at_infinity(vertices[0]) {
             is_reversed = self.is_reversed_loop(new.rail, vertices[0]);
         }
-        Corners { prevs, is_reversed }
+        Corners { prevs, is_reversed: is_one_corner && is_reversed }
     }
 
     /// A halfedge of a rail.

@@ -55,7 +55,9 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
                 let curve = arrangement.support(h.edge_id()).0;
                 match self.search(arrangement, &place, &Toward::Here).0 {
                     Found::Site(site) => site,
-                    Found::Within(t) => self.add_site(NewSite::End(curve, end), place.location, t),
+                    Found::Within(t) => {
+                        self.add_site(arrangement, NewSite::End(v, curve, end), place.location, t)
+                    }
                 }
             }
         }
@@ -73,7 +75,7 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
         }
         match self.search(arrangement, place, &Toward::Here).0 {
             Found::Site(site) => site,
-            Found::Within(t) => self.add_site(NewSite::Vertex(v), place.location, t),
+            Found::Within(t) => self.add_site(arrangement, NewSite::Vertex(v), place.location, t),
         }
     }
 

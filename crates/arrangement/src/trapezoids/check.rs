@@ -183,7 +183,7 @@ impl<G: BasicTraits> Trapezoids<G> {
             faults.push(format!("{site:?} is not found, but {found:?}"));
         }
         if self.sites[site.index()].kind == SiteKind::Vertex
-            && !self.vertex(site).is_some_and(|v| self.sites_of(v).any(|other| other == site))
+            && !self.sites_of(self.vertex(site)).any(|other| other == site)
         {
             faults.push(format!("{site:?} is not known by its vertex"));
         }

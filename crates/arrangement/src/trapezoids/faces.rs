@@ -72,7 +72,7 @@ impl<G: BasicTraits> Trapezoids<G> {
             if left.is_none() {
                 return arrangement.corner_face();
             }
-            if let Some(face) = self.vertex(left).and_then(|v| dcel.isolated_face(v)) {
+            if let Some(face) = dcel.isolated_face(self.vertex(left)) {
                 return face;
             }
             let [below, above] = self.left_of(left);
@@ -228,7 +228,7 @@ impl<G: BasicTraits> Trapezoids<G> {
                 }
             }
             let isolated = |site: SiteId| {
-                let v = if site.is_none() { None } else { self.vertex(site) };
+                let v = (!site.is_none()).then(|| self.vertex(site));
                 v.filter(|&v| dcel.isolated_face(v).is_some())
             };
             contents.isolated.extend([trapezoid.left, trapezoid.right].into_iter().filter_map(isolated));

@@ -68,7 +68,7 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
     /// place of a vertex that is not its first one.
     fn remove_site_if_empty<T: Topology<G>>(&mut self, arrangement: &Arrangement<G, T>, site: SiteId) {
         let is_empty = [self.left_of(site), self.right_of(site)].iter().all(|[below, above]| below == above);
-        let point = self.vertex(site).and_then(|v| arrangement.point(v));
+        let point = arrangement.point(self.vertex(site));
         let is_home = point.is_some_and(|point| {
             arrangement.topology().point_location(arrangement.traits(), point) == self.location(site)
         });

@@ -1,9 +1,7 @@
 //! Vertices and edges come.
 
 use super::search::side;
-use super::{
-    Node, Rail, RailId, Side, SiteId, SiteKind, SiteRecord, Trapezoid, TrapezoidId, Trapezoids,
-};
+use super::{Node, Rail, RailId, Side, SiteId, SiteKind, SiteRecord, Trapezoid, TrapezoidId, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::Topology;
 use crate::traits::{BasicTraits, CurveEnd, Location};
@@ -14,8 +12,8 @@ use dcel::VertexId;
 pub(crate) enum NewSite {
     /// A place of a vertex that is a point.
     Vertex(VertexId),
-    /// The end of a curve on a side where there is no point.
-    End(u32, CurveEnd),
+    /// The end of a curve on a side for which the vertex stands.
+    End(VertexId, u32, CurveEnd),
 }
 
 /// A rail that came, and the trapezoids below and above it where it begins and where it ends.
@@ -28,8 +26,17 @@ pub(crate) struct NewRail {
 
 impl<G: BasicTraits> Trapezoids<G> {
     /// Adds a site in the interior of a trapezoid.
-    pub(crate) fn add_site(&mut self, at: NewSite, location: Location, t: TrapezoidId) -> SiteId {
+    pub(crate) fn add_site<T: Topology<G>>(
+        &mut self,
+        arrangement: &Arrangement<G, T>,
+        at: NewSite,
+        location: Location,
+        t: TrapezoidId,
+    ) -> SiteId {
         let site = self.new_site(at, location);
+        if let NewSite::End(..) = at {
+            self.add_end(arrangement, site);
+        }
         let [l, r] = self.split_by_wall(t, site);
         let record = &mut self.sites[site.index()];
         record.left = [l; 2];
@@ -60,27 +67,19 @@ impl<G: BasicTraits> Trapezoids<G> {
 
     fn new_site(&mut self, at: NewSite, location: Location) -> SiteId {
         let site = SiteId::new(self.sites.len());
-        let mut record = SiteRecord {
-            left: [TrapezoidId::NONE; 2],
-            right: [TrapezoidId::NONE; 2],
-            at: 0,
-            kind: SiteKind::Vertex,
-            location,
-            next: SiteId::NONE,
+        let none = [TrapezoidId::NONE; 2];
+        let (vertex, at, kind) = match at {
+            NewSite::Vertex(v) => (v, u32::MAX, SiteKind::Vertex),
+            NewSite::End(v, curve, end) => (v, curve, SiteKind::End(end)),
         };
-        match at {
-            NewSite::Vertex(v) => {
-                record.at = v.0;
-                if v.index() >= self.first_site.len() {
-                    self.first_site.resize(v.index() + 1, SiteId::NONE);
-                }
-                record.next = std::mem::replace(&mut self.first_site[v.index()], site);
+        let mut next = SiteId::NONE;
+        if kind == SiteKind::Vertex {
+            if vertex.index() >= self.first_site.len() {
+                self.first_site.resize(vertex.index() + 1, SiteId::NONE);
             }
-            NewSite::End(curve, end) => {
-                record.at = curve;
-                record.kind = SiteKind::End(end);
-            }
+            next = std::mem::replace(&mut self.first_site[vertex.index()], site);
         }
+        let record = SiteRecord { left: none, right: none, at, vertex, kind, location, next };
         self.sites.push(record);
         site
     }

@@ -11,6 +11,7 @@
 //! | `insert`, `remove` | vertices and edges come and go |
 //! | `rails` | edges are split and merged |
 //! | `faces` | the face of a trapezoid, and trapezoids that are next to one another |
+//! | `ends` | the ends of curves on sides, in their order |
 //! | `seams` | those that are so across identified sides |
 //! | `build` | the decomposition of an arrangement, edges in random order |
 //! | `check` | every broken promise, for tests |
@@ -30,13 +31,14 @@
 mod build;
 #[cfg(test)]
 mod check;
+mod ends;
 mod faces;
 mod follow;
 mod insert;
 mod rails;
 mod remove;
-mod search;
 mod seams;
+mod search;
 #[cfg(test)]
 mod tests;
 
@@ -68,11 +70,6 @@ macro_rules! number {
             fn index(self) -> usize {
                 self.0 as usize
             }
-
-            #[inline]
-            pub(crate) fn is_none(self) -> bool {
-                self == Self::NONE
-            }
         }
     };
 }
@@ -93,6 +90,20 @@ number!(
     /// A node of the search structure.
     NodeId
 );
+
+impl SiteId {
+    #[inline]
+    pub(crate) fn is_none(self) -> bool {
+        self == Self::NONE
+    }
+}
+
+impl RailId {
+    #[inline]
+    pub(crate) fn is_none(self) -> bool {
+        self == Self::NONE
+    }
+}
 
 /// A trapezoid: two sites between whose walls it lies, and the rails below and above. [`SiteId::NONE`] and [`RailId::NONE`] stand for
 /// the sides of the parameter space.
@@ -172,8 +183,9 @@ struct SiteRecord {
     left: [TrapezoidId; 2],
     /// To the right, below and above.
     right: [TrapezoidId; 2],
-    /// The vertex, the curve of an end, or the position among points that are no more.
+    /// The curve of an end, or the position among points that are no more.
     at: u32,
+    vertex: VertexId,
     kind: SiteKind,
     location: Location,
     /// The next site of the same vertex.
@@ -218,6 +230,8 @@ pub(crate) struct Trapezoids<G: BasicTraits> {
     first_site: Vec<SiteId>,
     nodes: Vec<Node>,
     gone: Vec<G::Point>,
+    /// For each vertex without a point the ends there, counterclockwise.
+    ends: Vec<Vec<SiteId>>,
     free_trapezoids: Vec<TrapezoidId>,
     free_rails: Vec<RailId>,
     /// Steps of searches beyond the logarithm since the search structure was built.
@@ -243,6 +257,7 @@ impl<G: BasicTraits> Trapezoids<G> {
             first_site: Vec::new(),
             nodes: vec![Node::Leaf(TrapezoidId(0))],
             gone: Vec::new(),
+            ends: Vec::new(),
             free_trapezoids: Vec::new(),
             free_rails: Vec::new(),
             excess: 0,
@@ -302,11 +317,10 @@ impl<G: BasicTraits> Trapezoids<G> {
         self.sites[site.index()].location
     }
 
-    /// The vertex of a site; `None` if it is the end of a curve on a side.
+    /// The vertex of a site.
     #[inline]
-    pub(crate) fn vertex(&self, site: SiteId) -> Option<VertexId> {
-        let record = &self.sites[site.index()];
-        (record.kind == SiteKind::Vertex).then_some(VertexId(record.at))
+    pub(crate) fn vertex(&self, site: SiteId) -> VertexId {
+        self.sites[site.index()].vertex
     }
 
     /// The sites of a vertex that is a point.
@@ -332,7 +346,7 @@ impl<G: BasicTraits> Trapezoids<G> {
         let record = &self.sites[site.index()];
         let at = match record.kind {
             SiteKind::Vertex => SiteAt::Point(
-                arrangement.point(VertexId(record.at)).expect("a vertex with sites by its name is a point"),
+                arrangement.point(record.vertex).expect("a vertex with sites by its name is a point"),
             ),
             SiteKind::Gone => SiteAt::Point(&self.gone[record.at as usize]),
             SiteKind::End(end) | SiteKind::GoneEnd(end) => {

@@ -1,8 +1,6 @@
 //! Vertices and edges go.
 
-use super::{
-    Node, NodeId, RailId, Side, SiteId, SiteKind, Trapezoid, TrapezoidId, Trapezoids,
-};
+use super::{Node, NodeId, RailId, Side, SiteId, SiteKind, Trapezoid, TrapezoidId, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::Topology;
 use crate::traits::BasicTraits;
@@ -99,17 +97,21 @@ impl<G: BasicTraits> Trapezoids<G> {
 
     /// Only the search structure knows the site from now on.
     fn forget<T: Topology<G>>(&mut self, arrangement: &Arrangement<G, T>, site: SiteId) {
-        let record = &mut self.sites[site.index()];
+        let record = self.sites[site.index()];
         match record.kind {
             SiteKind::Vertex => {
-                let v = VertexId(record.at);
+                let v = record.vertex;
                 let point = arrangement.point(v).expect("a vertex with sites by its name is a point").clone();
+                let record = &mut self.sites[site.index()];
                 record.kind = SiteKind::Gone;
                 record.at = u32::try_from(self.gone.len()).expect("an arrangement has fewer than 2^32 cells");
                 self.gone.push(point);
                 self.unlink(v, site);
             }
-            SiteKind::End(end) => record.kind = SiteKind::GoneEnd(end),
+            SiteKind::End(end) => {
+                self.remove_end(arrangement, site);
+                self.sites[site.index()].kind = SiteKind::GoneEnd(end);
+            }
             SiteKind::Gone | SiteKind::GoneEnd(_) => {}
         }
     }

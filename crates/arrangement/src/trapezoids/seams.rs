@@ -57,7 +57,7 @@ impl<G: BasicTraits> Trapezoids<G> {
 
     /// The site of the same vertex at another location.
     fn opposite(&self, site: SiteId, location: Location) -> Option<SiteId> {
-        self.vertex(site).and_then(|v| self.site_at(v, location))
+        self.site_at(self.vertex(site), location)
     }
 
     /// Appends the trapezoids that are next to one across identified sides, and are not found past a wall.

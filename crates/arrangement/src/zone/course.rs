@@ -184,7 +184,7 @@ impl<'z, G: UMonotoneTraits, T: Topology<G>> Course<'z, G, T> {
         let is_home = home.location == place.location;
         match trapezoids.search(arrangement, &home, &Toward::Here).0 {
             Found::Site(site) => {
-                let v = trapezoids.vertex(site).expect("a point is not at an end without one");
+                let v = trapezoids.vertex(site);
                 let site = if is_home { Some(site) } else { trapezoids.site_at(v, place.location) };
                 let (on, first) = elsewhere(site);
                 (stand(Cell::Vertex(v), on), first)
@@ -250,9 +250,7 @@ impl<'z, G: UMonotoneTraits, T: Topology<G>> Course<'z, G, T> {
 
     /// A vertex to which the curve has come.
     fn stand_at_site(&self, site: SiteId, is_end: bool) -> Stand<G::Point> {
-        let v = self.trapezoids.vertex(site);
-        let v = v.or_else(|| side_vertex(self.arrangement, self.trapezoids.location(site)));
-        let cell = Cell::Vertex(v.expect("a site is of a vertex"));
+        let cell = Cell::Vertex(self.trapezoids.vertex(site));
         let spot = if is_end { Spot::End(CurveEnd::Max) } else { Spot::Site(site) };
         Stand { spot, cell, on: On::Site(site) }
     }
@@ -304,7 +302,7 @@ impl<'z, G: UMonotoneTraits, T: Topology<G>> Course<'z, G, T> {
         }
         match trapezoids.search(arrangement, &home, &Toward::Here).0 {
             Found::Site(site) => {
-                let v = trapezoids.vertex(site).expect("a point is not at an end without one");
+                let v = trapezoids.vertex(site);
                 (Cell::Vertex(v), Ordering::Equal)
             }
             Found::Within(t) => match self.rail_at(&home, t) {

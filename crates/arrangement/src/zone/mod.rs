@@ -41,11 +41,14 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Nothing changes. What the visitor is told, and when, [`ZoneVisitor`] says.
     ///
     /// # Complexity
-    /// With the edges in random order, as after [`Editor::new`], expected O(log n) for each vertex and each edge met, and a constant number
-    /// of predicates for each trapezoid on the way; up to where the visitor stops. There are as many trapezoids on the way as vertical
-    /// walls, which go from each vertex to the next edges above and below. In a face with h holes, at worst all their walls are crossed:
-    /// O(h). But a wall ends at the next hole, and most holes of a scattered lot are neither passed nor asked: each of 100 long segments,
-    /// among 10,000 short ones, takes FIGURE.
+    /// For each vertex and edge that is met, a search: expected O(log n) if edges came in random order, as after [`Editor::new`]. For each
+    /// trapezoid on the way, a constant number of predicates. Nothing is done for what is behind the place where the visitor stops.
+    ///
+    /// There are as many trapezoids on the way as walls, which go straight up and down from each vertex to the next edge. In a face with h
+    /// holes these are O(h) at worst, if the holes are so small that most walls pass by them. But holes stop walls: of 100
+    /// long segments, which meet 41 vertices and edges each among 10,000 segments with steps of 15 bits in a square of 20 bits, one
+    /// takes 2,401 predicates, and 88 to tell that it meets anything. With steps of 12 bits it takes 5,479 (meets 5); with steps of 8
+    /// bits, which are almost points, 18,221 (meets none or one).
     ///
     /// # References
     /// Thesis, section 2.4.3.

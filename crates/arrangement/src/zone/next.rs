@@ -66,9 +66,16 @@ fn parting<G: UMonotoneTraits, T: Topology<G>>(
     if G::MEET_ONCE {
         return end;
     }
-    let start = start.point().filter(|_| start.location.is_interior());
-    let parting = traits.end_of_overlap(curve, &arrangement.curves()[rail.curve as usize], start);
-    parting.filter(|point| is_before(&Site::of_point(topology, traits, point))).or(end)
+    let is_ahead = |point: &G::Point| {
+        // On a side curves end, and what ends is asked above.
+        let parting = Site::of_point(topology, traits, point);
+        parting.location.is_interior()
+            && topology.compare_sites(traits, start, &parting).is_lt()
+            && is_before(&parting)
+    };
+    let from = start.point().filter(|_| start.location.is_interior());
+    let parting = traits.end_of_overlap(curve, &arrangement.curves()[rail.curve as usize], from);
+    parting.filter(is_ahead).or(end)
 }
 
 /// The vertex that stands for the side on which a place lies, if one does.

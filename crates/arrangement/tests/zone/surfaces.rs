@@ -75,3 +75,15 @@ fn spheres_and_cones() {
         run::<false>(v);
     }
 }
+
+/// The overlap ends on the right side, where the point is one of the left side for those who ask the point alone.
+#[test]
+fn an_overlap_up_to_the_seam() {
+    let v = [Closed, Closed];
+    let traits = Strip::<false> { size: SIZE, v };
+    let curves = [Curve::Parallel(2), Curve::Path([[1, 2], [5, 2]])];
+    let editor = Editor::new(Arrangement::of_curves(traits, Band(v), &curves));
+    for curve in [curves[0], Curve::Path([[2, 2], [8, 2]])] {
+        check(&editor, &curve, &mut Seen::default(), "an overlap up to the seam");
+    }
+}

@@ -162,9 +162,8 @@ fn paths_along_and_through_seams() {
 #[test]
 fn a_joint_straight_below_a_vertical_edge() {
     let traits = PolycurveTraits::new(SegmentTraits);
-    let polyline = |vertices: &[[i64; 2]]| {
-        traits.make_polyline(vertices.iter().copied().map(Point2::from_i64)).unwrap()
-    };
+    let polyline =
+        |vertices: &[[i64; 2]]| traits.make_polyline(vertices.iter().copied().map(Point2::from_i64)).unwrap();
     let above = polyline(&[[0, 3], [2, 4], [2, 1], [0, 4]]);
     let editor = Editor::new(Arrangement::of_curves(traits.clone(), BoundedPlane, [&above]));
     row(&editor, "below", &polyline(&[[0, 1], [2, 0], [3, 4]]), "(F)");

@@ -74,6 +74,7 @@ impl<G: BasicTraits> Undo<G> {
     ///
     /// # Errors
     /// If the arrangement is not in the state to which the last change led it. Then the operation is still recorded.
+    #[cfg(test)]
     pub(crate) fn take_back<T: Topology<G>, O: Observer<G, T> + ?Sized>(
         &mut self,
         arrangement: &mut Arrangement<G, T>,

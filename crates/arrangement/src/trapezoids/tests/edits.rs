@@ -107,8 +107,8 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Edits<'a, G, T> {
             .map(SiteId::new)
             .filter(|&site| !self.trapezoids.is_gone(site) && !self.is_used(site))
             .filter(|&site| {
-                self.trapezoids.vertex(site).is_none_or(|v| {
-                    let point = self.arrangement.point(v).expect("it has a site");
+                let v = self.trapezoids.vertex(site);
+                self.arrangement.point(v).is_none_or(|point| {
                     let home = self.arrangement.topology().point_location(self.arrangement.traits(), point);
                     self.trapezoids.location(site) != home || self.trapezoids.sites_of(v).count() == 1
                 })
@@ -166,7 +166,10 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Edits<'a, G, T> {
         let curve = self.arrangement.support(h.edge_id()).0;
         match self.trapezoids.search(self.arrangement, &place, &Toward::Here).0 {
             Found::Site(site) => site,
-            Found::Within(t) => self.trapezoids.add_site(NewSite::End(curve, end), place.location, t),
+            Found::Within(t) => {
+                let v = self.arrangement.dcel().source(h);
+                self.trapezoids.add_site(self.arrangement, NewSite::End(v, curve, end), place.location, t)
+            }
         }
     }
 
@@ -175,7 +178,9 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Edits<'a, G, T> {
             return site;
         }
         match self.trapezoids.search(self.arrangement, place, &Toward::Here).0 {
-            Found::Within(t) => self.trapezoids.add_site(NewSite::Vertex(v), place.location, t),
+            Found::Within(t) => {
+                self.trapezoids.add_site(self.arrangement, NewSite::Vertex(v), place.location, t)
+            }
             Found::Site(site) => panic!("{site:?} is not known by {v:?}"),
         }
     }
