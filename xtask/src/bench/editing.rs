@@ -29,8 +29,12 @@ pub(super) fn run() -> Result<(), Failure> {
         "{:<28} {:>8} {:>10} {:>10} {:>10} {:>8} {:>13}",
         "edits", "input", "size", "steps", "seconds", "step", "and doubling"
     );
-    let series =
-        [growing("insert curves: vertices", Operation::Insert)?, holes("split small faces off one")?];
+    let series = [
+        growing("insert curves: vertices", Operation::Insert)?,
+        growing("zones: cells", Operation::Zone)?,
+        growing("remove edges: vertices", Operation::Remove)?,
+        holes("split small faces off one")?,
+    ];
     let broken: Vec<String> = series.iter().filter_map(Series::broken).collect();
     if broken.is_empty() { Ok(()) } else { Err(broken.join("; ").into()) }
 }
