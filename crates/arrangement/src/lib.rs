@@ -12,7 +12,9 @@
 //! | [`wrappers`] | traits around traits: they count or trace calls, or carry data along curves |
 //! | [`sweep`] | the algorithm: events from left to right, told to a visitor that may stop it |
 //! | [`overlay`] | all cells of several arrangements cut by one another, with provenance |
-//! | [`edit`] | the primitive changes of an arrangement, and those who watch them |
+//! | [`Editor`] | an arrangement to which curves and points come and from which they go one by one; location |
+//! | [`edit`] | the primitive changes of an arrangement, and those who watch them: observers, stamps, undo |
+//! | [`zone`] | the cells that a curve meets, in their order |
 //! | [`history`] | arrangements that know which input runs along which edge, and from which inputs can be removed |
 //! | [`Arrangement`] | the cells: [`Arrangement::of_curves`], [`Arrangement::insert_curves`], [`Arrangement::counts`] |
 //! | [`Pieces`] | u-monotone curves and points, for [`Arrangement::of_pieces`]; with curves that are to be cut, [`Arrangement::of_curves_and_points`], [`Arrangement::insert_points`] |

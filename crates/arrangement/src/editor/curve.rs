@@ -59,7 +59,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         loop {
             let (next, is_end) = match self.next_of(id, at.site) {
                 Next::Along(e, until) => {
-                    let next = self.run_along(e, until, edges);
+                    let next = self.run_along(e, until, is_artificial[1], edges);
                     let is_end = self.is_end(id, next.site);
                     self.share_support(edges[edges.len() - 1], id);
                     (next, is_end)
@@ -68,7 +68,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                     let (next, is_end) = match hit {
                         Hit::Site { site, is_end } => (self.vertex_of(site), is_end),
                         Hit::Edge { rail, point } => {
-                            (self.split_rail(rail, &point, Location::INTERIOR), false)
+                            (self.split_rail(rail, &point, Location::INTERIOR, false), false)
                         }
                         Hit::End { .. } => (self.vertex_at_end(id, CurveEnd::Max, is_artificial[1]), true),
                     };
@@ -122,15 +122,21 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         }
     }
 
-    /// Goes along an edge, which is split where the curve leaves it.
-    fn run_along(&mut self, e: EdgeId, until: Option<G::Point>, edges: &mut Vec<EdgeId>) -> At {
+    /// Goes along an edge, which is split where the curve leaves it or ends; then the vertex may be artificial.
+    fn run_along(
+        &mut self,
+        e: EdgeId,
+        until: Option<G::Point>,
+        is_artificial: bool,
+        edges: &mut Vec<EdgeId>,
+    ) -> At {
         edges.push(e);
         let rail = self.trapezoids.rail_of(e);
         match until {
             Some(point) => {
                 let arrangement = &self.arrangement;
                 let location = arrangement.topology().point_location(arrangement.traits(), &point);
-                self.split_rail(rail, &point, location)
+                self.split_rail(rail, &point, location, is_artificial)
             }
             None => {
                 let site = self.trapezoids.rail(rail).ends[1];

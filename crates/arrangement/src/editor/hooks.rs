@@ -26,7 +26,7 @@ pub(crate) enum Came<'a> {
 
 impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Inserts pieces of a curve, and tells the observers what came of each before the next one comes.
-    pub(crate) fn insert_pieces(
+    pub(crate) fn insert_noting(
         &mut self,
         operation: Operation,
         pieces: impl IntoIterator<Item = Piece<G::Point, G::UMonotoneCurve>>,

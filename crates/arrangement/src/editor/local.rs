@@ -233,7 +233,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                     side(arrangement, &place, &arrangement.curves()[curve as usize]).is_eq()
                 };
                 if is_on {
-                    return self.split_rail(below, point, location);
+                    return self.split_rail(below, point, location, false);
                 }
                 let face = self.trapezoids.face_of(arrangement, t);
                 let edit = Edit::AddIsolatedVertex { point: point.clone(), is_artificial: false, face };

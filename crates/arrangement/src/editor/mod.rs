@@ -50,7 +50,7 @@ pub struct Editor<G: UMonotoneTraits, T, O = ()> {
     observers: O,
 }
 
-impl<G: UMonotoneTraits, T> Deref for Editor<G, T> {
+impl<G: UMonotoneTraits, T, O> Deref for Editor<G, T, O> {
     type Target = Arrangement<G, T>;
 
     fn deref(&self) -> &Arrangement<G, T> {

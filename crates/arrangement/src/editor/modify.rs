@@ -52,7 +52,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let location = self.arrangement.topology().point_location(self.arrangement.traits(), point);
         let rail = self.trapezoids.rail_of(e);
         self.operate(Operation::SplitEdge, |editor| {
-            let vertex = editor.split_rail(rail, point, location).v;
+            let vertex = editor.split_rail(rail, point, location, false).v;
             let dcel = editor.arrangement.dcel();
             let edges = dcel.around(vertex).map(|h| h.edge_id());
             let new = edges.into_iter().find(|&other| other != e).expect("the edge has two parts");

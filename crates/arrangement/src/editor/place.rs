@@ -62,7 +62,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                     side(arrangement, &home, &arrangement.curves()[curve as usize]).is_eq()
                 };
                 if !below.is_none() && is_on(below) {
-                    self.split_rail(below, point, home_location)
+                    self.split_rail(below, point, home_location, is_artificial)
                 } else {
                     let v = self.add_vertex(point, is_artificial);
                     At {
@@ -108,10 +108,16 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         }
     }
 
-    /// Splits an edge at a point of its interior.
-    pub(super) fn split_rail(&mut self, rail: RailId, point: &G::Point, location: Location) -> At {
+    /// Splits an edge at a point of its interior. The vertex may be artificial if a curve along the edge is cut there.
+    pub(super) fn split_rail(
+        &mut self,
+        rail: RailId,
+        point: &G::Point,
+        location: Location,
+        is_artificial: bool,
+    ) -> At {
         let e = self.trapezoids.rail(rail).edge;
-        let v = self.add_vertex(point, false);
+        let v = self.add_vertex(point, is_artificial);
         let (site, rails) = self.trapezoids.add_site_on_rail(&self.arrangement, v, location, rail);
         let edit = Edit::SplitEdge { e, v, kept: CurveEnd::Min };
         let new = self.arrangement.apply(edit, &mut self.observers).edge();

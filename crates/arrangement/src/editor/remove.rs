@@ -13,7 +13,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// of the face that had more CCBs and isolated vertices. The kinds of CCBs in the answer are settled when it is given.
     ///
     /// Degenerate: a vertex that stands for a side stays. A vertex of which two edges are left that are one curve stays, too: see
-    /// [`Editor::merge_edges`]. An artificial vertex that stays becomes an ordinary one.
+    /// [`Editor::merge_edges`]. An artificial vertex that is left with one edge or none becomes an ordinary
+    /// one.
     ///
     /// # Panics
     /// If there is no such edge.
@@ -124,14 +125,15 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
             |i: usize| if self.arrangement.is_at_infinity(ends[i]) { EndFate::Isolate } else { fates[i] };
         let fates = [fate(0), fate(if ends[0] == ends[1] { 0 } else { 1 })];
         self.trapezoids.remove_edge(&self.arrangement, e, fates);
-        for (v, fate) in ends.into_iter().zip(fates) {
-            let is_last = self.arrangement.dcel().around(v).all(|h| h.edge_id() == e);
-            if !is_last || fate == EndFate::Isolate {
-                // If it was there because a curve was cut, it is the end of one now.
+        let removed = self.arrangement.remove_and_settle(e, fates, &mut self.observers);
+        for v in ends {
+            let dcel = self.arrangement.dcel();
+            if dcel.has_vertex(v) && dcel.around(v).nth(1).is_none() {
+                // Nothing is cut there any more.
                 self.make_ordinary(v);
             }
         }
-        self.arrangement.remove_and_settle(e, fates, &mut self.observers)
+        removed
     }
 
     /// Removes a vertex without edges within an operation.

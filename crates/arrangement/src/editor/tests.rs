@@ -1,9 +1,12 @@
 //! Curves one by one against all at once.
 
+#![allow(clippy::print_stdout, reason = "a case that fails shows its seed")]
+
 use super::*;
 use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusSegmentTraits};
 use crate::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
 use crate::traits::ArrangementTraits;
+use crate::wrappers::CountingTraits;
 use exact::planar::Point2;
 
 /// Numbers as good as random.
@@ -104,4 +107,21 @@ fn paths_on_a_torus() {
         let points = [[0, 0], [1, 1], [0, 3]].map(Point2::from_i64);
         check(traits.clone(), FlatTorus, &paths, &points);
     }
+}
+
+/// What an adverse order costs: segments side by side, each above the one before, whose search structure would be a list.
+#[test]
+fn an_adverse_order_costs_less_than_linear_searches() {
+    let calls = [500, 1_000, 2_000].map(|n: i64| {
+        let mut editor = Editor::new(Arrangement::new(CountingTraits::new(SegmentTraits), BoundedPlane));
+        for i in 0..n {
+            editor.insert_curve(&Segment::from_i64([[i, i], [4 * n - i, i]]).expect("it is long"));
+        }
+        assert_eq!(editor.counts().edges, n as usize);
+        editor.traits().counters().total()
+    });
+    println!("{calls:?}");
+    // Linear searches would make four times as many of twice as many segments.
+    assert!(calls.windows(2).all(|pair| pair[1] < 3 * pair[0] + pair[0] / 2), "{calls:?}");
+    assert!(calls[2] < 2_000 * 2_000, "{calls:?}");
 }

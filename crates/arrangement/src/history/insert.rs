@@ -16,7 +16,7 @@ impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> ArrangementWithHis
         self.traits().make_u_monotone(curve, &mut pieces);
         let id = self.put(Input::Curve(curve.clone()));
         self.editor
-            .insert_pieces(Operation::InsertCurve, pieces, |(history, _), came| history.note(id, came));
+            .insert_noting(Operation::InsertCurve, pieces, |(history, _), came| history.note(id, came));
         id
     }
 
@@ -27,7 +27,7 @@ impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> ArrangementWithHis
     pub fn insert_point(&mut self, point: &G::Point) -> InputId {
         let id = self.put(Input::Point(point.clone()));
         let piece = [Piece::Point(point.clone())];
-        self.editor.insert_pieces(Operation::InsertPoint, piece, |(history, _), came| history.note(id, came));
+        self.editor.insert_noting(Operation::InsertPoint, piece, |(history, _), came| history.note(id, came));
         id
     }
 

@@ -8,16 +8,18 @@
 //! | `insert` | an input comes |
 //! | `remove` | an input goes: edges that were its own, vertices without a reason, supports |
 //! | `aggregate` | many inputs come at once, by one sweep |
+//! | `global` | all is numbered anew, or dropped |
 //!
 //! Curves are cut into u-monotone *pieces*, which have a number each. An edge has the set of pieces that run along it, and a piece its
 //! first edge; the others are found by going from vertex to vertex, to the edge that has the piece, too. So nothing has to be
 //! kept in order when edges are split and merged.
 //!
 //! A vertex of degree 2 is looked at when an input goes that ran through it. The sets of its two edges tell which pieces end there and
-//! which pass. If no piece ends, the vertex goes; if all that end were only cut there, and none passes, it is artificial; otherwise it
-//! is ordinary. That is what a sweep over the inputs that are left says of it.
+//! which pass. If no piece ends, the vertex goes; if all that end were only cut there, it is artificial; otherwise it is ordinary. That
+//! is what a sweep over the inputs that are left says of it.
 
 mod aggregate;
+mod global;
 mod insert;
 mod record;
 mod remove;

@@ -4,7 +4,7 @@ use super::InputId;
 use super::sets::{NONE, Sets};
 use crate::arrangement::{Arrangement, CurveId};
 use crate::edit::{Done, Edit, EditOf, Observer};
-use crate::editor::Came;
+use crate::editor::{Came, Renumbering};
 use crate::topology::Topology;
 use crate::traits::{BasicTraits, CurveEnd};
 use dcel::{EdgeId, HalfedgeId, VertexId};
@@ -85,6 +85,24 @@ impl History {
             of_edges,
             of_vertices,
         }
+    }
+
+    /// Gives edges, vertices and curves new ids. A piece whose curve has no new one is named to `store`, which stores the curve again.
+    pub(super) fn renumber(&mut self, to: &Renumbering, mut store: impl FnMut(u32) -> CurveId) {
+        let vertex = |v| to.vertex(v).expect("the vertex of a point stays");
+        let edge = |e| to.edge(e).expect("an edge stays along which a piece runs");
+        for (piece, record) in (0..).zip(&mut self.pieces) {
+            match &mut record.place {
+                Place::Curve { curve, first, .. } => {
+                    *first = edge(*first);
+                    *curve = to.curve(*curve).unwrap_or_else(|| store(piece));
+                }
+                Place::Point(v) => *v = vertex(*v),
+                Place::Nowhere => {}
+            }
+        }
+        self.of_edges.renumber(|e| edge(EdgeId::new(e)).index());
+        self.of_vertices.renumber(|v| vertex(VertexId::new(v)).index());
     }
 
     /// Begins an input that has no piece yet.
@@ -259,29 +277,24 @@ impl History {
         if self.has_point(v) {
             return Need::Ordinary;
         }
-        let (mut has_end, mut is_passed) = (false, false);
         // A piece that leaves on another edge than its first one has come from somewhere.
         let passes = |h: HalfedgeId, piece| {
             h.is_even() && self.first(piece) != Some(h.edge_id()) && self.has(h.edge_id(), piece)
         };
+        let mut need = Need::Redundant;
         for h in leaving {
             for &piece in self.of_edges.get(h.edge()) {
                 if leaving.iter().any(|&h| passes(h, piece)) {
-                    is_passed = true;
                     continue;
                 }
-                has_end = true;
                 let end = if h.is_even() { CurveEnd::Min } else { CurveEnd::Max };
                 if !self.is_artificial(piece, end) {
                     return Need::Ordinary;
                 }
+                need = Need::Artificial;
             }
         }
-        match (has_end, is_passed) {
-            (false, _) => Need::Redundant,
-            (true, false) => Need::Artificial,
-            (true, true) => Need::Ordinary,
-        }
+        need
     }
 }
 

@@ -25,18 +25,6 @@ impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> ArrangementWithHis
         self.free.push(id);
         Some(input)
     }
-
-    /// Removes all inputs in the order of their ids. Ids begin at 0 again.
-    ///
-    /// # Complexity
-    /// That of removing them one by one.
-    pub fn clear(&mut self) {
-        for id in (0..self.inputs.len() as u32).map(InputId) {
-            self.remove(id);
-        }
-        self.inputs.clear();
-        self.free.clear();
-    }
 }
 
 /// The removal of an input.

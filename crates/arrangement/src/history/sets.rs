@@ -109,6 +109,16 @@ impl Sets {
         }
     }
 
+    /// Gives the cells that have pieces new indices.
+    pub(super) fn renumber(&mut self, to: impl Fn(usize) -> usize) {
+        let old = std::mem::take(&mut self.slots);
+        for (cell, slot) in old.into_iter().enumerate().filter(|(_, slot)| *slot != NONE) {
+            let cell = to(cell);
+            self.begin(cell);
+            self.slots[cell] = slot;
+        }
+    }
+
     /// Stores a set, and gives the slot of a cell that has it.
     fn store(&mut self, set: Vec<u32>) -> u32 {
         let place = match self.free.pop() {

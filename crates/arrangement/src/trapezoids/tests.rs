@@ -223,3 +223,10 @@ fn paths_on_a_torus() {
 fn paths_on_a_cylinder() {
     on(500, 6, random_cylinder, has_no_faults);
 }
+
+/// The figures of `docs/arrangement.md`.
+#[test]
+fn records_are_small() {
+    let sizes = [size_of::<Trapezoid>(), size_of::<SiteRecord>(), size_of::<Rail>(), size_of::<Node>()];
+    assert_eq!(sizes, [20, 32, 24, 16]);
+}

@@ -59,7 +59,7 @@ impl Law for Compact {
 
 #[test]
 fn ids_are_made_dense() {
-    for_all(&Compact, 25, 6000);
+    for_all(&Compact, 40, 6000);
 }
 
 struct Mixed;
@@ -99,5 +99,5 @@ impl Law for Mixed {
 
 #[test]
 fn sweeps_and_single_curves_mix() {
-    for_all(&Mixed, 30, 7000);
+    for_all(&Mixed, 40, 7000);
 }

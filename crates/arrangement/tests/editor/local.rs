@@ -3,6 +3,7 @@
 use crate::scenes::{Law, Scene, Watched, check, for_all, take_back, watch};
 use dcel::{EdgeId, VertexId};
 use exact::planar::Point2;
+use splitstar_arrangement::models::polycurve::PolycurveTraits;
 use splitstar_arrangement::models::{Segment, SegmentTraits};
 use splitstar_arrangement::overlay::Cell;
 use splitstar_arrangement::topology::{BoundedPlane, Topology};
@@ -179,6 +180,38 @@ fn local_insertions_give_what_insert_curve_gives() {
     }
     assert_eq!(by_curve.difference(&local), None);
     assert_eq!(local.counts().faces, 3);
+}
+
+/// The polylines through the points given, one by one and by a sweep; the counts of vertices as a user sees them.
+fn vertex_counts(polylines: &[&[[i64; 2]]]) -> [usize; 2] {
+    let traits = PolycurveTraits::new(SegmentTraits);
+    let polyline = |points: &&[[i64; 2]]| traits.make_polyline(points.iter().map(|&p| Point2::from_i64(p)));
+    let curves: Vec<_> = polylines.iter().map(|points| polyline(points).unwrap()).collect();
+    let mut editor = watch(Arrangement::new(traits, BoundedPlane));
+    for curve in &curves {
+        editor.insert_curve(curve);
+        check(&editor);
+    }
+    let swept = Arrangement::of_curves(traits, BoundedPlane, &curves);
+    assert_eq!(editor.arrangement().difference(&swept), None);
+    [editor.arrangement().counts().vertices, editor.arrangement().counts_with_splits().vertices]
+}
+
+#[test]
+fn a_cut_in_a_polyline_that_runs_back_over_itself_is_no_vertex() {
+    // It is closed, and cut at (1, 1), where its second part passes.
+    assert_eq!(vertex_counts(&[&[[1, 1], [2, 1], [0, 1], [1, 1]]]), [2, 3]);
+}
+
+#[test]
+fn a_cut_on_an_edge_is_no_vertex() {
+    assert_eq!(vertex_counts(&[&[[0, 1], [4, 1]], &[[2, 1], [1, 1], [4, 1], [2, 1]]]), [3, 4]);
+}
+
+#[test]
+fn a_walk_asks_for_meetings_with_edges_that_begin_on_its_way() {
+    // The second polyline passes below the vertical one, in its second piece.
+    assert_eq!(vertex_counts(&[&[[4, 2], [4, 4]], &[[0, 3], [4, 1], [7, 8]]]), [4, 4]);
 }
 
 #[test]

@@ -85,7 +85,7 @@ fn polylines() {
     for seed in 1..40 {
         let size = 3 + seed % 3;
         let traits = PolycurveTraits::new(MinimalSegmentTraits);
-        let maker = traits.clone();
+        let maker = traits;
         let curve = move |rng: &mut Rng| {
             let count = 2 + rng.index(4);
             let vertices: Vec<Point2> = (0..count).map(|_| Point2::from_i64(lattice(rng, size))).collect();

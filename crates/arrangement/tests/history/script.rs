@@ -97,10 +97,11 @@ pub(crate) fn play<G: ArrangementTraits + Clone, T: Topology<G>>(
     look: impl Fn(&Made<G, T>, &str),
 ) {
     let mut rng = Rng::new(seed);
-    let mut made = Made::with_observers(pool.traits.clone(), topology, |empty| Mirror::new(empty)).unwrap();
+    let mut made =
+        Made::with_observers(pool.traits.clone(), topology, Mirror::new).expect("the mirror is new");
     let mut inputs: Vec<InputId> = Vec::new();
     for step in 0..steps {
-        let action = rng.below(12);
+        let action = rng.below(14);
         let context = format!("seed {seed}, step {step}, action {action}");
         match action {
             0..=4 => inputs.push(made.insert(&(pool.curve)(&mut rng))),
@@ -109,9 +110,16 @@ pub(crate) fn play<G: ArrangementTraits + Clone, T: Topology<G>>(
                 let curves: Vec<_> = (0..rng.index(5)).map(|_| (pool.curve)(&mut rng)).collect();
                 inputs.extend(made.insert_all(&curves));
             }
+            8 => {
+                let places: Vec<_> = inputs.iter().flat_map(|&id| made.edges_of(id)).collect();
+                let renumbering = made.compact();
+                let places = places.into_iter().map(|e| renumbering.edge(e).expect("edges stay"));
+                assert!(places.eq(inputs.iter().flat_map(|&id| made.edges_of(id))), "{context}");
+                assert_eq!(made.dcel().edge_bound(), made.dcel().edge_count());
+            }
             // The same once more.
             7 if !inputs.is_empty() => {
-                match made.input(*rng.choose(&inputs)).unwrap().clone() {
+                match made.input(*rng.choose(&inputs)).expect("inputs stay").clone() {
                     Input::Curve(curve) => inputs.push(made.insert(&curve)),
                     Input::Point(point) => inputs.push(made.insert_point(&point)),
                 };
