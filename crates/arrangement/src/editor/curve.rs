@@ -19,11 +19,16 @@ pub(super) enum Next<P> {
 }
 
 impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
-    /// Inserts a general curve.
+    /// Inserts a general curve. Gives the edges that run along it: piece by piece as [`ArrangementTraits::make_u_monotone`] gives them,
+    /// each from its min to its max end.
+    ///
+    /// Degenerate: where pieces of the curve overlap, an edge comes several times. An edge of an earlier piece that a later piece
+    /// splits stands for its first part only: the second part is not in the list.
     ///
     /// # Complexity
     /// For each edge, vertex and face that the curve meets, expected O(log n) if curves come in random order, and what the splitting of
-    /// faces costs: see [`Editor`].
+    /// faces costs: see [`Editor`]. Through a face, linear in the trapezoids on the way, as for [`Editor::zone`]: a long curve that passes
+    /// above or below many small holes meets as many walls.
     ///
     /// # References
     /// Thesis, section 2.4.3.

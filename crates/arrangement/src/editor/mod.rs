@@ -43,6 +43,23 @@ use std::ops::Deref;
 /// An arrangement that is edited, with what finds places in it, and observers.
 ///
 /// It reads as the [`Arrangement`] that it has.
+///
+/// A curve that was inserted stays stored when its edges are removed, until [`compact`](Self::compact): an editor that lives long, with
+/// curves that come and go, should be compacted now and then.
+///
+/// # Preconditions
+/// Points and curves that are given to it are of the traits of the arrangement. On a torus, points have the coordinates that
+/// [`TorusSegmentTraits::point`](crate::models::TorusSegmentTraits::point) gives, and curves are made by traits with the same periods.
+/// With others, answers are wrong, the arrangement is not valid then, and a method may panic.
+///
+/// # Complexity
+/// A search takes expected O(log n) if curves came in random order, or were there when the editor was made; in an adverse order,
+/// O(sqrt(n log n)) amortized.
+///
+/// An edge that splits a face takes time linear in the trapezoids of the smaller part, of which there are about three for each vertex
+/// at most, and in the CCBs and isolated vertices that lie in it. But the [corner face](crate::Arrangement::corner_face) keeps its id: if the
+/// smaller part is that, the larger one counts. Where a face has no holes and no isolated vertices, and is not the corner face, nothing of that
+/// is done. More is said in `docs/arrangement.md`.
 #[derive(Clone, Debug)]
 pub struct Editor<G: UMonotoneTraits, T, O = ()> {
     arrangement: Arrangement<G, T>,
@@ -109,6 +126,9 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     }
 
     /// Finds the cell in which a point lies.
+    ///
+    /// # Preconditions
+    /// Those of [`Editor`] on points. The answer for another point is wrong.
     ///
     /// # Complexity
     /// Expected O(log n) if curves came in random order.
