@@ -54,7 +54,7 @@ use std::ops::Deref;
 ///
 /// # Complexity
 /// A search takes expected O(log n) if curves came in random order, or were there when the editor was made; in an adverse order,
-/// O(sqrt(n log n)) amortized.
+/// O(sqrt(n) log n) amortized.
 ///
 /// An edge that splits a face takes time linear in the trapezoids of the smaller part, of which there are about three for each vertex
 /// at most, and in the CCBs and isolated vertices that lie in it. But the [corner face](crate::Arrangement::corner_face) keeps its id: if the

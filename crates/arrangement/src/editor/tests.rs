@@ -125,3 +125,60 @@ fn an_adverse_order_costs_less_than_linear_searches() {
     assert!(calls.windows(2).all(|pair| pair[1] < 3 * pair[0] + pair[0] / 2), "{calls:?}");
     assert!(calls[2] < 2_000 * 2_000, "{calls:?}");
 }
+
+/// Points in their order made the search structure a list, also when it was built anew.
+#[test]
+fn points_in_their_order_cost_less_than_linear_searches() {
+    let calls = [500, 1_000, 2_000].map(|n: i64| {
+        let mut editor = Editor::new(Arrangement::new(CountingTraits::new(SegmentTraits), BoundedPlane));
+        for i in 0..n {
+            editor.insert_point(&Point2::from_i64([i, 0]));
+        }
+        assert_eq!(editor.counts().isolated, n as usize);
+        editor.traits().counters().total()
+    });
+    assert!(calls.windows(2).all(|pair| pair[1] < 3 * pair[0] + pair[0] / 2), "{calls:?}");
+    assert!(calls[2] < 2_000 * 2_000, "{calls:?}");
+}
+
+/// Records that were given away and not taken back led to a panic in the middle of an edit.
+#[test]
+fn records_are_taken_back_in_their_order_or_not_at_all() {
+    use crate::edit::Undo;
+    let segment = |ends| Segment::from_i64(ends).expect("the ends are different");
+    let crossed = || {
+        let empty = Arrangement::new(SegmentTraits, BoundedPlane);
+        let undo = Undo::new(&empty);
+        let mut editor = Editor::with_observers(empty, (undo.clone(), undo)).expect("both begin there");
+        editor.insert_curve(&segment([[0, 0], [4, 4]]));
+        editor.insert_curve(&segment([[0, 4], [4, 0]]));
+        editor
+    };
+    let mut editor = crossed();
+    drop(editor.observers_mut().0.pop());
+    assert!(editor.observers_mut().0.pop().is_none(), "the way back is lost");
+
+    let mut editor = crossed();
+    drop(editor.observers_mut().0.pop());
+    editor.insert_curve(&segment([[9, 0], [9, 1]]));
+    let last = editor.observers_mut().0.pop().expect("it was recorded");
+    assert_eq!(editor.take_back(last), Ok(()));
+    assert!(editor.observers_mut().0.pop().is_none());
+    assert_eq!((editor.check_valid(), editor.counts().edges), (vec![], 4));
+
+    // The other recorder sees that somebody else took something back.
+    let mut editor = crossed();
+    let last = editor.observers_mut().0.pop().expect("it was recorded");
+    assert_eq!(editor.take_back(last), Ok(()));
+    assert!(editor.observers_mut().1.pop().is_none());
+    let last = editor.observers_mut().0.pop().expect("it was recorded");
+    assert_eq!(editor.take_back(last), Ok(()));
+    assert_eq!(editor.counts().vertices, 0);
+
+    // Out of date.
+    let mut editor = crossed();
+    let last = editor.observers_mut().0.pop().expect("it was recorded");
+    editor.insert_point(&Point2::from_i64([7, 7]));
+    assert!(editor.take_back(last).is_err());
+    assert_eq!(editor.check_valid(), []);
+}

@@ -22,7 +22,7 @@
 //!
 //! The search structure is the history of the decomposition: a leaf that is no more has become a comparison with a site or a curve.
 //! With edges in random order, its depth is expected to be logarithmic. Each search counts its steps; when those beyond the
-//! logarithm add up to the cost of building all anew, that is done. So an adverse order of edits costs no more than O(sqrt(n log n)) a
+//! logarithm add up to the cost of building all anew, that is done. So an adverse order of edits costs no more than O(sqrt(n) log n) a
 //! search, amortized.
 //!
 //! # References
