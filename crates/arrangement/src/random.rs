@@ -3,7 +3,7 @@
 use crate::arrangement::Arrangement;
 use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusPath, TorusSegmentTraits};
 use crate::topology::{BoundedPlane, FlatTorus, Site, Topology, UnboundedPlane};
-use crate::traits::{ArrangementTraits, CurveEnd, Location, SideKind, Sides, UMonotoneTraits};
+use crate::traits::{ArrangementTraits, BasicTraits, CurveEnd, Location, SideKind, Sides};
 use exact::Rational;
 use exact::planar::Point2;
 use std::cmp::Ordering;

@@ -89,3 +89,36 @@ fn curves_come_and_go() {
         }
     }
 }
+
+fn insert_all(kinds: [SideKind; 2], curves: &[Curve]) {
+    let mut rng = Rng::new(1);
+    let context = format!("{curves:?}");
+    edit::<true>(&mut rng, kinds, curves, &context);
+    edit::<false>(&mut rng, kinds, curves, &context);
+    remember::<true>(&mut rng, kinds, curves, &context);
+    remember::<false>(&mut rng, kinds, curves, &context);
+}
+
+/// The vertices at both ends of a cylinder are isolated in one face at first, and in two after that.
+#[test]
+fn an_isolated_vertex_of_a_side_gets_into_the_new_face() {
+    insert_all([SideKind::Open, SideKind::Open], &[Curve::Parallel(3)]);
+    insert_all([SideKind::Contracted, SideKind::Contracted], &[Curve::Parallel(1), Curve::Parallel(3)]);
+}
+
+/// A curve that winds round and was connected with the pole is no hole without it.
+#[test]
+fn what_loses_its_pole_may_wind_round() {
+    let kinds = [SideKind::Closed, SideKind::Contracted];
+    for meridian in [[[1, 3], [1, 4]], [[0, 3], [0, 4]]] {
+        insert_all(kinds, &[Curve::Parallel(3), Curve::Path(meridian)]);
+        insert_all(kinds, &[Curve::Path(meridian), Curve::Parallel(3), Curve::Parallel(1)]);
+    }
+}
+
+/// They run together from the seam to the pole: that has no point at which they could part.
+#[test]
+fn two_curves_run_together_from_the_seam_to_a_pole() {
+    let curve = Curve::Path([[1, 3], [9, 0]]);
+    insert_all([SideKind::Contracted, SideKind::Open], &[curve, curve]);
+}
