@@ -24,6 +24,7 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
             trapezoids.add_home(arrangement, v);
         }
         trapezoids.excess = 0;
+        trapezoids.built_nodes = trapezoids.nodes.len();
         trapezoids
     }
 
