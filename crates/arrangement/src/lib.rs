@@ -15,6 +15,7 @@
 //! | [`Editor`] | an arrangement to which curves and points come and from which they go one by one; location |
 //! | [`edit`] | the primitive changes of an arrangement, and those who watch them: observers, stamps, undo |
 //! | [`zone`] | the cells that a curve meets, in their order |
+//! | [`history`] | arrangements that know which input runs along which edge, and from which inputs can be removed |
 //! | [`Arrangement`] | the cells: [`Arrangement::of_curves`], [`Arrangement::insert_curves`], [`Arrangement::counts`] |
 //! | [`Pieces`] | u-monotone curves and points, for [`Arrangement::of_pieces`]; with curves that are to be cut, [`Arrangement::of_curves_and_points`], [`Arrangement::insert_points`] |
 //! | [`Arrangement::user_view`], [`Arrangement::check_valid`], [`Arrangement::is_isomorphic`] | cells without artificial vertices; violations; comparison |
@@ -144,6 +145,7 @@
 mod arrangement;
 pub mod edit;
 mod editor;
+pub mod history;
 mod insert;
 pub mod models;
 pub mod overlay;

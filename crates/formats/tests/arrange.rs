@@ -6,6 +6,7 @@ use splitstar_formats::{
     CurveError, CurveFault, InputCurve, StarArrangement, read_arrangement, read_curves, write_arrangement,
 };
 use std::ops::ControlFlow;
+use std::path::Path;
 
 const GOES_ON: fn(arrangement::sweep::Progress) -> ControlFlow<()> = |_| ControlFlow::Continue(());
 
@@ -124,4 +125,29 @@ fn a_watch_is_told_and_may_stop() {
     assert!(told.len() > 5 && told.is_sorted(), "{told:?}");
     let stopped = StarArrangement::of_curves_with(curves, None, |_| ControlFlow::Break(()));
     assert!(stopped.is_ok_and(|made| made.is_none()));
+}
+
+/// The seeds of the fuzz target `curves`: whatever order the curves are given in, their arrangement has one text, and comes back.
+#[test]
+fn the_seeds_have_one_text_in_both_orders() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds/curves");
+    let mut seeds = 0;
+    for seed in std::fs::read_dir(folder).expect("the seeds are there") {
+        let seed = seed.expect("a folder can be read").path();
+        let bytes = std::fs::read(&seed).expect("a seed can be read");
+        let file = read_curves(&bytes, None).unwrap_or_else(|error| panic!("{}: {error}", seed.display()));
+        let mut curves = file.curves;
+        let text_of = |curves: &[InputCurve]| {
+            let made = of_curves(curves, file.period.clone());
+            write_arrangement(&made.unwrap_or_else(|error| panic!("{}: {error}", seed.display())))
+        };
+        let text = text_of(&curves);
+        let again =
+            read_arrangement(&text, None).unwrap_or_else(|error| panic!("{}: {error}", seed.display()));
+        assert_eq!(write_arrangement(&again), text, "{}", seed.display());
+        curves.reverse();
+        assert_eq!(text_of(&curves), text, "{}", seed.display());
+        seeds += 1;
+    }
+    assert!(seeds >= 7, "{seeds} seeds");
 }

@@ -9,11 +9,13 @@
 //! | `curve` | a curve comes, wherever it runs |
 //! | `local`, `modify` | edits whose neighbours are known; what changes where nothing moves |
 //! | `remove`, `merge` | edges and vertices go; two edges become one |
+//! | `hooks` | what the history needs |
 //! | `global` | all is numbered anew, dropped, or swept again |
 
 mod curve;
 mod edge;
 mod global;
+mod hooks;
 mod local;
 mod merge;
 mod modify;
@@ -33,6 +35,7 @@ use crate::topology::{Site, Topology};
 use crate::traits::UMonotoneTraits;
 use crate::trapezoids::{Found, Toward, Trapezoids, side};
 pub use global::Renumbering;
+pub(crate) use hooks::Came;
 pub use merge::{MergedEdges, VertexNeed, VertexNeeded};
 pub use modify::SplitParts;
 use std::ops::Deref;
@@ -47,7 +50,7 @@ pub struct Editor<G: UMonotoneTraits, T, O = ()> {
     observers: O,
 }
 
-impl<G: UMonotoneTraits, T> Deref for Editor<G, T> {
+impl<G: UMonotoneTraits, T, O> Deref for Editor<G, T, O> {
     type Target = Arrangement<G, T>;
 
     fn deref(&self) -> &Arrangement<G, T> {

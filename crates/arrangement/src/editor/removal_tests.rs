@@ -1,5 +1,7 @@
 //! What removals leave of the trapezoids.
 
+#![allow(clippy::print_stdout, reason = "a case that fails shows its seed")]
+
 use super::*;
 use crate::insert::Pieces;
 use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusSegmentTraits};

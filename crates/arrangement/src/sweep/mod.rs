@@ -25,7 +25,7 @@
 //! # Complexity
 //! O((n + k) log n) predicates for n curves and k incidences of strands with events on them; where a strand of m curves is dissolved,
 //! they count one by one. The heap may hold meetings of strands that are not neighbours any more, and some twice: at most
-//! two for each event so far.
+//! two for each event so far, if curves meet once; else one more for each curve that begins or goes on at an event.
 //!
 //! # References
 //! Thesis, section 2.4.1; de Berg et al., Computational Geometry, section 2.1.

@@ -133,7 +133,7 @@ pub trait UMonotoneTraits: BasicTraits {
     /// Finds where two curves that run together to the right of a point `p` of both cease to: the greater end of their common piece
     /// there. `None`, or a point on the side, if that end is on a side of the parameter space, where both curves end.
     ///
-    /// Without `p`, the common piece begins on an open side.
+    /// Without `p`, the common piece begins on an open or contracted side.
     ///
     /// Law: the point is greater than `p`.
     ///

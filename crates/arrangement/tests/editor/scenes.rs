@@ -1,5 +1,7 @@
 //! Degenerate random curves of several families, and what every test checks.
 
+#![allow(clippy::print_stdout, reason = "a case that fails shows its seed")]
+
 use exact::Rational;
 use exact::planar::Point2;
 use splitstar_arrangement::edit::{Mirror, Undo};

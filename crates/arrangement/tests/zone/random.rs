@@ -56,7 +56,6 @@ fn run<G: ArrangementTraits<Point = Point2, Curve: Debug> + Clone, T: Topology<G
             }
         }
     }
-    println!("{seen:?}");
     let [least, many] = [cases as usize / 50, cases as usize / 5];
     assert!(seen.pieces > 2 * cases as usize && seen.vertices > many && seen.crossings > many, "{seen:?}");
     assert!(seen.overlaps > least && seen.partial > least, "{seen:?}");

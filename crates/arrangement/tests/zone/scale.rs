@@ -37,11 +37,10 @@ fn figures(bits: u32) -> Figures {
     Figures { predicates, met, until_first: counters.total() / 100 }
 }
 
-/// The one face has thousands of holes, and a segment passes most of them without a question.
+/// There are thousands of holes, which stop walls: so most of them are not asked.
 #[test]
 fn among_short_segments() {
     let Figures { predicates, met, until_first } = figures(15);
-    println!("{predicates} predicates a segment, {met} vertices and edges, {until_first} up to the first");
     assert!(met > 1_000, "{met}");
     assert!(predicates < 2_600 && until_first < 100, "{predicates}, {until_first}");
 }
@@ -50,8 +49,7 @@ fn among_short_segments() {
 #[test]
 fn among_tiny_segments() {
     for (bits, most) in [(12, 6_000), (8, 19_000)] {
-        let Figures { predicates, met, until_first } = figures(bits);
-        println!("{bits} bits: {predicates} predicates a segment, {met} met, {until_first} up to the first");
+        let Figures { predicates, .. } = figures(bits);
         assert!(predicates < most, "{predicates}");
     }
 }

@@ -119,7 +119,7 @@ fn polylines_touch_and_part() {
     let polyline =
         |vertices: &[[i64; 2]]| traits.make_polyline(vertices.iter().copied().map(Point2::from_i64)).unwrap();
     let floor = polyline(&[[0, 0], [10, 0]]);
-    let editor = Editor::new(Arrangement::of_curves(traits.clone(), BoundedPlane, [&floor]));
+    let editor = Editor::new(Arrangement::of_curves(traits, BoundedPlane, [&floor]));
     for (name, vertices, expected) in [
         ("touches from above", &[[0, 2], [2, 0], [4, 2]][..], "(FTF)"),
         ("touches from below", &[[0, -2], [2, 0], [4, -2]], "(FTF)"),
@@ -165,6 +165,6 @@ fn a_joint_straight_below_a_vertical_edge() {
     let polyline =
         |vertices: &[[i64; 2]]| traits.make_polyline(vertices.iter().copied().map(Point2::from_i64)).unwrap();
     let above = polyline(&[[0, 3], [2, 4], [2, 1], [0, 4]]);
-    let editor = Editor::new(Arrangement::of_curves(traits.clone(), BoundedPlane, [&above]));
+    let editor = Editor::new(Arrangement::of_curves(traits, BoundedPlane, [&above]));
     row(&editor, "below", &polyline(&[[0, 1], [2, 0], [3, 4]]), "(F)");
 }

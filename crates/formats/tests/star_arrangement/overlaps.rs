@@ -115,3 +115,15 @@ fn many_lines_through_a_point_are_one_curve_each() {
     assert_eq!(curves(&text).len(), 40);
     assert!(text.contains("\nvertex 0 1 1\n"));
 }
+
+/// A ring that began in the middle of a side was cut there, and had another text.
+#[test]
+fn a_ring_has_one_text_wherever_it_begins() {
+    let corners = [[0, 0], [4, 0], [8, 0], [9, 3], [8, 6], [4, 7], [0, 6], [0, 3]];
+    let texts = (0..corners.len()).map(|start| {
+        let ring: Vec<[i64; 2]> = (0..=corners.len()).map(|i| corners[(start + i) % corners.len()]).collect();
+        comes_back(&polycurve_arrangement(&[Row::Polyline(ring)]))
+    });
+    let texts: Vec<_> = texts.collect();
+    assert!(texts.iter().all(|text| *text == texts[0]), "{texts:?}");
+}

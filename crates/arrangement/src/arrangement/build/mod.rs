@@ -104,6 +104,11 @@ impl<'s, P: Clone> Builder<'s, P> {
         }
     }
 
+    /// Keeps, for every edge along which several curves run, all of them.
+    pub(crate) fn keep_overlaps(&mut self) {
+        self.keeps_overlaps = true;
+    }
+
     #[inline]
     fn add_vertex(&mut self, point: Option<P>, is_artificial: bool) -> VertexId {
         let vertex = VertexId::new(self.outgoing.len());
