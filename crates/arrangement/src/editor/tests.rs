@@ -3,6 +3,7 @@
 #![allow(clippy::print_stdout, reason = "a case that fails shows its seed")]
 
 use super::*;
+use crate::models::polycurve::PolycurveTraits;
 use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusSegmentTraits};
 use crate::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
 use crate::traits::ArrangementTraits;
@@ -124,4 +125,19 @@ fn an_adverse_order_costs_less_than_linear_searches() {
     // Linear searches would make four times as many of twice as many segments.
     assert!(calls.windows(2).all(|pair| pair[1] < 3 * pair[0] + pair[0] / 2), "{calls:?}");
     assert!(calls[2] < 2_000 * 2_000, "{calls:?}");
+}
+
+/// A chain may begin and end on the bottom, and not run along it.
+#[test]
+fn a_point_below_an_arc_from_the_bottom_to_the_bottom() {
+    let inner = TorusSegmentTraits::new([6.into(), 4.into()]).expect("the periods are positive");
+    let traits = PolycurveTraits::new(inner);
+    let arc = traits.make_cover_polyline([[1, 0], [3, 1], [5, 0]].map(Point2::from_i64));
+    let mut editor = Editor::new(Arrangement::new(traits, FlatTorus));
+    editor.insert_curve(&arc.expect("there are vertices"));
+    let point = Point2::from_i64([3, 0]);
+    assert_eq!(editor.locate(&point), Cell::Face(editor.corner_face()));
+    editor.insert_point(&point);
+    assert_eq!(editor.counts().isolated, 1);
+    assert_eq!(editor.check_valid(), []);
 }

@@ -5,7 +5,7 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use testkit::Rng;
 
 /// Scripts of each family: 2,000 of all.
-const SCRIPTS: u64 = 250;
+const SCRIPTS: u64 = 2500;
 
 /// The most steps of a script.
 const STEPS: u64 = 24;
