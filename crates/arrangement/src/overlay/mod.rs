@@ -120,9 +120,23 @@ pub fn overlay<G: UMonotoneTraits + Clone, T: Topology<G>>(
     blue: &Arrangement<G, T>,
     traits: &mut impl OverlayTraits,
 ) -> Arrangement<G, T> {
-    let (arrangement, provenance) = overlay_all(&[red, blue]);
+    overlay_with(red, blue, traits, |_| ControlFlow::Continue(())).expect("nobody stops the sweep")
+}
+
+/// Overlays two arrangements, as [`overlay`] does; now and then `watch` is told how far the sweep has come, and may stop it. Then there
+/// is no overlay, and no function was called.
+///
+/// # Complexity
+/// That of [`overlay_all`]. `watch` is called once in about a thousand events.
+pub fn overlay_with<G: UMonotoneTraits + Clone, T: Topology<G>>(
+    red: &Arrangement<G, T>,
+    blue: &Arrangement<G, T>,
+    traits: &mut impl OverlayTraits,
+    watch: impl FnMut(Progress) -> ControlFlow<()>,
+) -> Option<Arrangement<G, T>> {
+    let (arrangement, provenance) = overlay_all_with(&[red, blue], watch)?;
     traits::call(&arrangement, &provenance, traits);
-    arrangement
+    Some(arrangement)
 }
 
 /// Overlays arrangements and free curves; `None` if `watch` stops it.

@@ -2,7 +2,7 @@
 //!
 //! | layer | files | role |
 //! |---|---|---|
-//! | input | `input` | sites and curves between them |
+//! | input | `input`, `cells` | sites and curves between them; those of an arrangement |
 //! | structures | `status`, `queue` | what meets the sweep line; meetings that lie ahead |
 //! | algorithm | `engine`, `left`, `right` | events in order; what ends at an event, and what begins there in which order |
 //! | output | `visitor`, `watched` | events, with the subcurves around them; how far it has come |
@@ -40,7 +40,7 @@ mod status;
 mod visitor;
 mod watched;
 
-pub(crate) use cells::CellNumbers;
+pub use cells::CellNumbers;
 pub use engine::sweep;
 pub use input::{NO_GROUP, SweepInput};
 pub use visitor::{Around, Event, Members, Strand, SweepVisitor};

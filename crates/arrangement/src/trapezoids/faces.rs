@@ -20,18 +20,12 @@ pub(crate) struct Contents {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Visits {
     marks: Vec<u32>,
-    last: u32,
+    pub(super) last: u32,
     pub(super) found: [Vec<TrapezoidId>; 2],
     next: Vec<TrapezoidId>,
 }
 
 impl Visits {
-    /// Uses up the numbers for marks, but for one visit.
-    #[cfg(test)]
-    pub(super) fn use_up(&mut self) {
-        self.last = u32::MAX - 3;
-    }
-
     /// Begins a visit among a number of trapezoids, and gives the marks of two parts.
     fn begin(&mut self, count: usize) -> [u32; 2] {
         if self.last > u32::MAX - 2 {

@@ -33,7 +33,7 @@ impl<G: BasicTraits> Trapezoids<G> {
         location: Location,
         t: TrapezoidId,
     ) -> SiteId {
-        let site = self.new_site(at, location);
+        let site = self.new_site(arrangement, at, location);
         if let NewSite::End(..) = at {
             self.add_end(arrangement, site);
         }
@@ -54,7 +54,7 @@ impl<G: BasicTraits> Trapezoids<G> {
         location: Location,
         rail: RailId,
     ) -> (SiteId, [RailId; 2]) {
-        let site = self.new_site(NewSite::Vertex(v), location);
+        let site = self.new_site(arrangement, NewSite::Vertex(v), location);
         let traps = [Side::Below, Side::Above].map(|side| self.beside(arrangement, rail, side, site));
         debug_assert_eq!(self.trapezoid(traps[0]).above, rail, "the site is on the rail");
         debug_assert_eq!(self.trapezoid(traps[1]).below, rail, "the site is on the rail");
@@ -65,7 +65,12 @@ impl<G: BasicTraits> Trapezoids<G> {
         (site, self.split_rail(rail, site))
     }
 
-    fn new_site(&mut self, at: NewSite, location: Location) -> SiteId {
+    fn new_site<T: Topology<G>>(
+        &mut self,
+        arrangement: &Arrangement<G, T>,
+        at: NewSite,
+        location: Location,
+    ) -> SiteId {
         let site = SiteId::new(self.sites.len());
         let none = [TrapezoidId::NONE; 2];
         let (vertex, at, kind) = match at {
@@ -79,7 +84,9 @@ impl<G: BasicTraits> Trapezoids<G> {
             }
             next = std::mem::replace(&mut self.first_site[vertex.index()], site);
         }
-        let record = SiteRecord { left: none, right: none, at, vertex, kind, location, next };
+        let point = arrangement.point(vertex).filter(|_| location.is_interior());
+        let key = point.map_or(0, |point| arrangement.traits().order_key(point));
+        let record = SiteRecord { left: none, right: none, at, vertex, kind, location, key, next };
         self.sites.push(record);
         site
     }
@@ -91,7 +98,7 @@ impl<G: BasicTraits> Trapezoids<G> {
         self.trapezoids[t.index()].right = site;
         self.replace_left_of(old.right, t, r);
         let children = [self.new_leaf(t), self.new_leaf(r)];
-        self.nodes[old.leaf.index()] = Node::Split { site, children };
+        self.nodes[old.leaf.index()] = self.split_at(site, children);
         [t, r]
     }
 

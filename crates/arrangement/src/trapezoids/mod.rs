@@ -188,6 +188,8 @@ struct SiteRecord {
     vertex: VertexId,
     kind: SiteKind,
     location: Location,
+    /// The [order key](BasicTraits::order_key) of a point in the interior of the parameter space, else 0.
+    key: u64,
     /// The next site of the same vertex.
     next: SiteId,
 }
@@ -210,8 +212,9 @@ impl Rail {
 /// A node of the search structure.
 #[derive(Clone, Copy, Debug)]
 enum Node {
-    /// What is before a site in the lexicographic order, and what is behind.
-    Split { site: SiteId, children: [NodeId; 2] },
+    /// What is before a site in the lexicographic order, and what is behind; the key of its place, so that most comparisons look no
+    /// farther.
+    Split { site: SiteId, key: u64, children: [NodeId; 2] },
     /// What is below a curve, and what is above.
     Curve { curve: u32, children: [NodeId; 2] },
     /// A trapezoid.
@@ -385,6 +388,11 @@ impl<G: BasicTraits> Trapezoids<G> {
     fn free_rail(&mut self, rail: RailId) {
         self.rails[rail.index()] = Rail::FREE;
         self.free_rails.push(rail);
+    }
+
+    /// A node that compares with a site.
+    fn split_at(&self, site: SiteId, children: [NodeId; 2]) -> Node {
+        Node::Split { site, key: self.sites[site.index()].key, children }
     }
 
     fn new_node(&mut self, node: Node) -> NodeId {

@@ -146,6 +146,6 @@ impl<G: BasicTraits> Trapezoids<G> {
         let (left, right) = new.split_at(new.len() / 2);
         let site = self.trapezoids[right[0].index()].left;
         let children = [self.tree(left), self.tree(right)];
-        self.new_node(Node::Split { site, children })
+        self.new_node(self.split_at(site, children))
     }
 }

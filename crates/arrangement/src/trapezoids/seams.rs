@@ -156,7 +156,7 @@ impl<G: BasicTraits> Trapezoids<G> {
             let next = match self.nodes[node] {
                 Node::Leaf(t) => return t,
                 Node::Link(next) => next,
-                Node::Split { site, children } => children[usize::from(is_behind(self.location(site)))],
+                Node::Split { site, children, .. } => children[usize::from(is_behind(self.location(site)))],
                 Node::Curve { children, .. } => children[side as usize],
             };
             node = next.index();

@@ -82,6 +82,8 @@ impl<G: BasicTraits> Trapezoids<G> {
         toward: &Toward<'_, G>,
     ) -> (Found, u32) {
         let (traits, topology) = (arrangement.traits(), arrangement.topology());
+        let key = place.point().filter(|_| place.location.is_interior());
+        let key = key.map_or(0, |point| traits.order_key(point));
         let mut node = 0;
         let mut steps = 0;
         loop {
@@ -89,7 +91,11 @@ impl<G: BasicTraits> Trapezoids<G> {
             let next = match &self.nodes[node] {
                 Node::Leaf(t) => return (Found::Within(*t), steps),
                 Node::Link(next) => *next,
-                Node::Split { site, children } => {
+                // Keys order as the places do, where they are different and there are any.
+                Node::Split { key: other, children, .. } if key != *other && key != 0 && *other != 0 => {
+                    children[usize::from(key > *other)]
+                }
+                Node::Split { site, children, .. } => {
                     match topology.compare_sites(traits, place, &self.place(arrangement, *site)) {
                         Ordering::Less => children[0],
                         Ordering::Greater => children[1],

@@ -2,13 +2,14 @@
 //!
 //! As in `ours`, every function prepares its operands, does the operation once, and times that alone.
 
+use arrangement::history::ArrangementWithHistory;
 use arrangement::models::{Segment, SegmentTraits};
 use arrangement::topology::BoundedPlane;
 use arrangement::{Arrangement, Editor};
 use testkit::Rng;
 
 use super::once::{Found, timed};
-use super::ours::{NO_CURVES, found, of_segments, segments};
+use super::ours::{NO_CURVES, found, located, of_segments, segments};
 use super::task::Curves;
 use crate::Failure;
 
@@ -30,6 +31,62 @@ pub(super) fn insert(curves: &Curves) -> Result<Found, Failure> {
         editor
     });
     Ok(found(&(editor.finish().0, seconds)))
+}
+
+/// Aggregated insertion of all curves into an arrangement that is then made ready to be edited.
+///
+/// # Errors
+/// If the library refuses the curves.
+pub(super) fn make_ready(curves: &Curves) -> Result<Found, Failure> {
+    let Curves::Segments(ends) = curves else { return Err(NO_CURVES.into()) };
+    let curves = segments(ends)?;
+    let (editor, seconds) =
+        timed(|| Editor::new(Arrangement::of_curves(SegmentTraits, BoundedPlane, &curves)));
+    Ok(found(&(editor.finish().0, seconds)))
+}
+
+/// Aggregated insertion of all curves into an arrangement with history, which is ready to be edited.
+///
+/// # Errors
+/// If the library refuses the curves.
+pub(super) fn build_with_history(curves: &Curves) -> Result<Found, Failure> {
+    let Curves::Segments(ends) = curves else { return Err(NO_CURVES.into()) };
+    let curves = segments(ends)?;
+    let (arrangement, seconds) =
+        timed(|| ArrangementWithHistory::of_curves(SegmentTraits, BoundedPlane, &curves));
+    Ok(found(&(arrangement.finish().0, seconds)))
+}
+
+/// Insertion of all curves one by one into an empty arrangement with history.
+///
+/// # Errors
+/// If the library refuses the curves.
+pub(super) fn insert_with_history(curves: &Curves) -> Result<Found, Failure> {
+    let Curves::Segments(ends) = curves else { return Err(NO_CURVES.into()) };
+    let curves = segments(ends)?;
+    let (arrangement, seconds) = timed(|| {
+        let mut arrangement = ArrangementWithHistory::new(SegmentTraits, BoundedPlane);
+        for curve in &curves {
+            arrangement.insert(curve);
+        }
+        arrangement
+    });
+    Ok(found(&(arrangement.finish().0, seconds)))
+}
+
+/// The cells that curves meet in an arrangement that is made ready before the clock starts.
+///
+/// # Errors
+/// If the library refuses the curves.
+pub(super) fn zone(curves: &Curves, crossing: &Curves) -> Result<Found, Failure> {
+    let Curves::Segments(ends) = crossing else { return Err(NO_CURVES.into()) };
+    let crossing = segments(ends)?;
+    let editor = Editor::new(of_segments(curves)?);
+    let (cells, seconds) =
+        timed(|| crossing.iter().flat_map(|curve| editor.zone_cells_of(curve)).collect::<Vec<_>>());
+    let arrangement = editor.finish().0;
+    let located = located(&arrangement, &cells);
+    Ok(Found { located: Some(located), seconds, ..found(&(arrangement, seconds)) })
 }
 
 /// Removal of all edges in random order, and with them of all vertices, from an arrangement that is made before the clock starts and

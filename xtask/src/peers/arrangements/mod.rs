@@ -104,6 +104,7 @@ impl Tools {
                 command.arg(shell::root().join("peers/float/node_segments.py"));
                 command
             }
+            Peer::Plain => return None,
         };
         command.args(inputs);
         Some(command)
@@ -134,8 +135,14 @@ fn outcome(row: &'static Row, tools: &Tools) -> Result<Outcome, Failure> {
         Err(failure) => outcome.troubles.push(format!("ours: {failure}")),
     }
     for &peer in row.peers {
-        let Some(mut command) = tools.command(peer, &row.task, &inputs) else { continue };
-        match theirs(&mut command) {
+        let measured = if peer == Peer::Plain {
+            let plain = rows::plain(&row.task).ok_or("the task has no history")?;
+            fresh(&plain, LEAST, BUDGET)
+        } else {
+            let Some(mut command) = tools.command(peer, &row.task, &inputs) else { continue };
+            theirs(&mut command)
+        };
+        match measured {
             Ok(measured) => outcome.peers.push(Run { peer: Some(peer), measured }),
             Err(failure) => outcome.troubles.push(format!("{peer}: {failure}")),
         }

@@ -153,6 +153,12 @@ fn perform(operation: Operation, operands: &[Operand]) -> Result<Found, Failure>
         (Operation::Build, [input]) => ours::build(&input.curves),
         (Operation::Insert, [input]) => edits::insert(&input.curves),
         (Operation::Remove, [input]) => edits::remove(&input.curves),
+        (Operation::Ready, [input]) => edits::make_ready(&input.curves),
+        (Operation::History, [input]) => edits::build_with_history(&input.curves),
+        (Operation::InsertHistory, [input]) => edits::insert_with_history(&input.curves),
+        (Operation::Zone | Operation::ZoneLong, [input, crossing]) => {
+            edits::zone(&input.curves, &crossing.curves)
+        }
         (Operation::Overlay, [red, blue]) => ours::overlay_of(&red.curves, &blue.curves),
         (Operation::Locate, [input, Operand { curves: Curves::Points(points), .. }]) => {
             ours::locate(&input.curves, points)
