@@ -173,7 +173,8 @@ type TorusItems = (Vec<Item<TorusPath>>, Vec<Option<[Point2; 3]>>);
 
 fn torus_items(traits: &TorusSegmentTraits, curves: &[TorusCurve]) -> TorusItems {
     let place = |p: &P| Point2::from_rationals(p);
-    let middle = |p: &P, way: &P, quarters: i64| place(&[0, 1].map(|i| &p[i] + &way[i] * fraction(quarters, 4)));
+    let middle =
+        |p: &P, way: &P, quarters: i64| place(&[0, 1].map(|i| &p[i] + &way[i] * fraction(quarters, 4)));
     let item = |curve: &TorusCurve| match curve {
         TorusCurve::Point(p) => (Item::Point(traits.point(&place(p))), None),
         TorusCurve::Path(p, way) => {

@@ -5,15 +5,15 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use testkit::Rng;
 
 /// Scripts of each family: 2,000 of all.
-const SCRIPTS: u64 = 2500;
+const SCRIPTS: u64 = 250;
 
 /// The most steps of a script.
-const STEPS: u64 = 24;
+const STEPS: u64 = 48;
 
 /// Whether a script runs through; what it did; and what it says if not.
 fn outcome(bytes: &[u8]) -> Result<usize, (Vec<String>, String)> {
     let mut log = Vec::new();
-    let result = catch_unwind(AssertUnwindSafe(|| run(bytes, &mut log)));
+    let result = catch_unwind(AssertUnwindSafe(|| run(bytes, &mut |text| log.push(text))));
     result.map(|()| log.len()).map_err(|panic| {
         let text = panic.downcast_ref::<String>().cloned();
         let text = text.or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()));
@@ -85,4 +85,21 @@ families! {
     polylines_on_a_torus 5,
     minimal_segments 6,
     polylines 7,
+}
+
+/// What fuzzing found, and where it begins.
+#[test]
+fn seeds_of_the_fuzz_target() {
+    let folder = testkit::repository().join("fuzz/seeds/edits");
+    let files = std::fs::read_dir(folder).expect("there are seeds");
+    let mut count = 0;
+    for file in files {
+        let path = file.expect("the folder can be read").path();
+        let bytes = std::fs::read(&path).expect("a seed can be read");
+        if let Err((log, text)) = outcome(&bytes) {
+            panic!("{}:\n{}\n{text}", path.display(), log.join("\n"));
+        }
+        count += 1;
+    }
+    assert!(count > 8, "{count}");
 }

@@ -2,7 +2,7 @@
 
 use super::draw::Draw;
 use super::family::{Family, PieceOf};
-use super::scan::{Scan, Stroke};
+use super::scan::{P, Scan, Stroke};
 use super::steps::World;
 use dcel::{EdgeId, FaceId, HalfedgeId, VertexId};
 use exact::Rational;
@@ -58,8 +58,11 @@ pub(super) fn assert_alike<F: Family>(family: &F, found: &Made<F>, expected: &Ma
     }
 }
 
+/// The ends of an edge; `None` where it has none.
+type EndsOf = [Option<P>; 2];
+
 /// What the edges carry, with their ends.
-fn labels<F: Family>(family: &F, arrangement: &Made<F>) -> Vec<([Option<[Rational; 2]>; 2], Vec<u32>)> {
+fn labels<F: Family>(family: &F, arrangement: &Made<F>) -> Vec<(EndsOf, Vec<u32>)> {
     let of = |e: EdgeId| {
         let ends = arrangement.dcel().ends(e).map(|v| arrangement.point(v).map(Point2::coordinates));
         (ends, family.labels(arrangement.curve_of(e)))
@@ -86,7 +89,8 @@ pub(super) fn swept_again<F: Family>(arrangement: &Made<F>) -> Made<F> {
 /// All that must come back with its id if operations are taken back.
 #[derive(PartialEq, Debug)]
 pub(super) struct Identities {
-    vertices: Vec<(VertexId, Option<[Rational; 2]>, bool, Option<FaceId>)>,
+    points: Vec<(VertexId, Option<P>)>,
+    vertices: Vec<(VertexId, bool, Option<FaceId>)>,
     halfedges: Vec<(HalfedgeId, [HalfedgeId; 2], VertexId, FaceId)>,
     edges: Vec<(EdgeId, Vec<Stroke>, Vec<u32>)>,
     faces: Vec<(FaceId, usize)>,
@@ -95,22 +99,17 @@ pub(super) struct Identities {
 impl Identities {
     pub(super) fn of<F: Family>(family: &F, arrangement: &Made<F>) -> Self {
         let dcel = arrangement.dcel();
-        let vertex = |v| {
-            let place = arrangement.point(v).map(Point2::coordinates);
-            (v, place, arrangement.is_artificial(v), dcel.isolated_face(v))
-        };
+        let point = |v| (v, arrangement.point(v).map(Point2::coordinates));
+        let vertex = |v| (v, arrangement.is_artificial(v), dcel.isolated_face(v));
         let edge = |e| {
             let curve = arrangement.make_edge_curve(e);
             (e, family.strokes(&curve), family.labels(&curve))
         };
         let halfedge = |h: HalfedgeId| (h, [dcel.next(h), dcel.prev(h)], dcel.source(h), dcel.face(h));
         Self {
+            points: dcel.vertices().map(point).collect(),
             vertices: dcel.vertices().map(vertex).collect(),
-            halfedges: dcel
-                .edges()
-                .flat_map(|e| [e.halfedge(), e.halfedge().twin()])
-                .map(halfedge)
-                .collect(),
+            halfedges: dcel.edges().flat_map(|e| [e.halfedge(), e.halfedge().twin()]).map(halfedge).collect(),
             edges: dcel.edges().map(edge).collect(),
             faces: dcel.faces().map(|f| (f, dcel.face_ccbs(f).count())).collect(),
         }

@@ -68,7 +68,8 @@ fn linear_stroke(curve: &Linear) -> Stroke {
     let ends = curve.ends().each_ref().map(|end| end.as_ref().map(Point2::coordinates));
     let is_open = ends.each_ref().map(Option::is_none);
     // To the right, or up.
-    let way = if (&b, &-&a) > (&Rational::ZERO, &Rational::ZERO) { [b.clone(), -&a] } else { [-&b, a.clone()] };
+    let way =
+        if (&b, &-&a) > (&Rational::ZERO, &Rational::ZERO) { [b.clone(), -&a] } else { [-&b, a.clone()] };
     let along = |p: &P, times: i64| [0, 1].map(|i| &p[i] + Rational::from(times) * &way[i]);
     let nearest = || {
         let factor = c.checked_div(&(&a * &a + &b * &b)).expect("a line has a direction");
@@ -235,8 +236,8 @@ impl Family for Polylinears {
             return self.traits().make_polycurve([Linear::line(&p, &q)?]).ok();
         }
         let middle = Linear::segment(p.clone(), q.clone())?;
-        let first = (kind % 3 == 0).then(|| Linear::ray(p, &draw.point())).flatten();
-        let last = if kind % 2 == 0 { Linear::segment(q, r) } else { Linear::ray(q, &r) };
+        let first = [3, 6].contains(&kind).then(|| Linear::ray(p, &draw.point())).flatten();
+        let last = if kind < 4 { Linear::segment(q, r) } else { Linear::ray(q, &r) };
         self.traits().make_polycurve(first.into_iter().chain([middle]).chain(last)).ok()
     }
     fn strokes(&self, curve: &Chain<Linear>) -> Vec<Stroke> {

@@ -13,6 +13,7 @@ use draw::Draw;
 use family::{
     Family, Linears, MinimalSegments, Numbered, Polylinears, Polylines, Segments, Torus, TorusPolylines,
 };
+pub(crate) use steps::Log;
 use steps::World;
 
 /// The number of bytes before the first step.
@@ -24,11 +25,11 @@ pub(crate) const STEP: usize = 16;
 /// The number of families.
 pub(crate) const FAMILIES: u8 = 8;
 
-/// Runs the script that bytes describe, and writes down what it does.
+/// Runs the script that bytes describe, and has written down what it does.
 ///
 /// # Panics
 /// If anything is not as it should be.
-pub(crate) fn run(bytes: &[u8], log: &mut Vec<String>) {
+pub(crate) fn run(bytes: &[u8], log: Log<'_>) {
     let Some((header, steps)) = bytes.split_at_checked(HEADER) else { return };
     // Coordinates from a small grid, so that everything degenerate happens.
     let size = 2 + u64::from(header[1] % 5);
@@ -49,20 +50,15 @@ pub(crate) fn run(bytes: &[u8], log: &mut Vec<String>) {
     }
 }
 
-fn play<'a, F: Family>(
-    family: F,
-    steps: impl Iterator<Item = Draw<'a>>,
-    takes_all_back: bool,
-    log: &mut Vec<String>,
-) {
-    log.push(format!("{family:?}"));
+fn play<'a, F: Family>(family: F, steps: impl Iterator<Item = Draw<'a>>, takes_all_back: bool, log: Log<'_>) {
+    log(format!("{family:?}"));
     let mut world = World::new(family);
     for mut step in steps {
         world.step(&mut step, log);
         world.check(&mut step);
     }
     if takes_all_back {
-        log.push("take all back".into());
+        log("take all back".into());
         world.take_all_back();
     }
 }

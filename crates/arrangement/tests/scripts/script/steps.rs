@@ -3,13 +3,28 @@
 use super::check::{Identities, Made, assert_alike, face_of, swept_again};
 use super::draw::Draw;
 use super::family::{CurveOf, Family, PieceOf};
-use dcel::{EdgeId, EndFate, VertexId};
+use dcel::{EdgeId, EndFate, FaceId, VertexId};
 use splitstar_arrangement::edit::{Mirror, Undo};
 use splitstar_arrangement::overlay::Cell;
-use splitstar_arrangement::traits::{ArrangementTraits, BasicTraits, CurveEnd, Intersection, Piece, UMonotoneTraits};
+use splitstar_arrangement::traits::{
+    ArrangementTraits, BasicTraits, CurveEnd, Intersection, Piece, UMonotoneTraits,
+};
 use splitstar_arrangement::{Arrangement, Editor, Pieces, locate_all};
 
 type Watched<F> = (Undo<<F as Family>::Traits>, Mirror<<F as Family>::Traits>);
+
+/// Who writes down what is done.
+pub(crate) type Log<'a> = &'a mut dyn FnMut(String);
+
+/// How a curve is inserted that meets nothing.
+#[derive(Debug)]
+enum How {
+    Between([VertexId; 2]),
+    From(VertexId),
+    To(VertexId),
+    In(FaceId),
+    Anyhow,
+}
 
 /// Above so many edges, nothing is inserted.
 const MOST_EDGES: usize = 40;
@@ -38,7 +53,7 @@ impl<F: Family> World<F> {
     }
 
     /// Does one step.
-    pub(super) fn step(&mut self, draw: &mut Draw<'_>, log: &mut Vec<String>) {
+    pub(super) fn step(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
         let is_full = self.edges().len() > MOST_EDGES;
         match draw.below(32) {
             0..8 if !is_full => self.insert_curve(draw, log),
@@ -80,9 +95,9 @@ impl<F: Family> World<F> {
         assert_eq!(self.editor.observers().0.operation_count(), 0);
     }
 
-    fn insert_curve(&mut self, draw: &mut Draw<'_>, log: &mut Vec<String>) {
+    fn insert_curve(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
         let Some(curve) = self.family.curve(draw) else { return };
-        log.push(format!("insert {}", self.text(&curve)));
+        log(format!("insert {}", self.text(&curve)));
         let mut expected = self.editor.arrangement().clone();
         expected.insert_curves([&curve]);
         let edges = self.operate(|world| world.editor.insert_curve(&curve));
@@ -111,9 +126,9 @@ impl<F: Family> World<F> {
         format!("[{}] {:?}", texts.collect::<Vec<_>>().join("; "), self.family.labels(piece))
     }
 
-    fn insert_point(&mut self, draw: &mut Draw<'_>, log: &mut Vec<String>) {
+    fn insert_point(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
         let point = self.family.point(draw);
-        log.push(format!("insert point {point}"));
+        log(format!("insert point {point}"));
         let mut expected = self.editor.arrangement().clone();
         expected.insert_points([point.clone()]);
         let v = self.operate(|world| world.editor.insert_point(&point));
@@ -122,17 +137,17 @@ impl<F: Family> World<F> {
         assert_alike(&self.family, arrangement, &expected);
     }
 
-    fn insert_many(&mut self, draw: &mut Draw<'_>, log: &mut Vec<String>) {
+    fn insert_many(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
         let curves: Vec<_> = (0..1 + draw.below(3)).filter_map(|_| self.family.curve(draw)).collect();
         let point = self.family.point(draw);
         let texts: Vec<String> = curves.iter().map(|curve| self.text(curve)).collect();
-        log.push(format!("insert at once {texts:?} and {point}"));
+        log(format!("insert at once {texts:?} and {point}"));
         self.editor.insert_all(&curves, [point]);
         self.forget();
     }
 
     /// Inserts a u-monotone curve that meets nothing, if the one drawn does not.
-    fn insert_free(&mut self, draw: &mut Draw<'_>, log: &mut Vec<String>) {
+    fn insert_free(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
         let Some(curve) = self.family.curve(draw) else { return };
         let mut pieces = Vec::new();
         self.family.traits().make_u_monotone(&curve, &mut pieces);
@@ -164,31 +179,23 @@ impl<F: Family> World<F> {
             let face = cells.iter().flatten().find_map(|&cell| face_of(cell));
             let text = self.piece_text(&curve);
             let knows = draw.below(4) > 0;
+            let how = match (vertex, face) {
+                ([Some(v), Some(w)], _) if knows => How::Between([v, w]),
+                ([Some(v), None], _) if knows && is_new[1] => How::From(v),
+                ([None, Some(v)], _) if knows && is_new[0] => How::To(v),
+                ([None, None], Some(face)) if knows && is_new == [true; 2] && !is_closed => How::In(face),
+                _ => How::Anyhow,
+            };
+            log(format!("insert {how:?} {text}"));
             self.operate(|world| {
                 let editor = &mut world.editor;
-                let how = match (vertex, face) {
-                    ([Some(v), Some(w)], _) if knows => {
-                        editor.insert_edge_between([v, w], curve);
-                        "between vertices"
-                    }
-                    ([Some(v), None], _) if knows && is_new[1] => {
-                        editor.insert_edge_from(v, curve);
-                        "from a vertex"
-                    }
-                    ([None, Some(v)], _) if knows && is_new[0] => {
-                        editor.insert_edge_to(curve, v);
-                        "to a vertex"
-                    }
-                    ([None, None], Some(face)) if knows && is_new == [true; 2] && !is_closed => {
-                        editor.insert_edge_in_face(curve, face);
-                        "in a face"
-                    }
-                    _ => {
-                        editor.insert_disjoint(curve);
-                        "disjoint"
-                    }
-                };
-                log.push(format!("insert {how} {text}"));
+                match how {
+                    How::Between(ends) => editor.insert_edge_between(ends, curve),
+                    How::From(v) => editor.insert_edge_from(v, curve),
+                    How::To(v) => editor.insert_edge_to(curve, v),
+                    How::In(face) => editor.insert_edge_in_face(curve, face),
+                    How::Anyhow => editor.insert_disjoint(curve),
+                }
             });
             assert_alike(&self.family, self.editor.arrangement(), &expected);
         }
@@ -214,81 +221,78 @@ impl<F: Family> World<F> {
         !are_ends || points.any(|p| traits.is_on_curve(p, curve) && !is_end(p))
     }
 
-    fn split(&mut self, draw: &mut Draw<'_>, log: &mut Vec<String>) {
+    fn split(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
         let Some(e) = draw.choose(&self.edges()) else { return };
         let Some(point) = self.inner_point(e, draw) else { return };
-        log.push(format!("split {} at {point}", e.0));
+        log(format!("split {} at {point}", e.0));
         let mut expected = self.editor.arrangement().clone();
         expected.insert_points([point.clone()]);
         let parts = self.operate(|world| world.editor.split_edge(e, &point));
         assert_eq!(parts.edges[0], e);
-        let dcel = self.editor.arrangement().dcel();
-        assert_eq!(parts.edges.map(|e| dcel.ends(e)).map(|[a, b]| [a == parts.vertex, b == parts.vertex])[0][1], true);
+        let [min, max] = parts.edges.map(|e| self.editor.arrangement().dcel().ends(e));
+        assert_eq!([min[1], max[0]], [parts.vertex; 2]);
         assert_alike(&self.family, self.editor.arrangement(), &expected);
     }
 
-    fn remove_edge(&mut self, draw: &mut Draw<'_>, log: &mut Vec<String>) {
+    fn remove_edge(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
         let Some(e) = draw.choose(&self.edges()) else { return };
         let fates = [0; 2].map(|_| if draw.one_in(4) { EndFate::Isolate } else { EndFate::Remove });
-        log.push(format!("remove edge {} {fates:?}", e.0));
+        log(format!("remove edge {} {fates:?}", e.0));
         self.operate(|world| world.editor.remove_edge_with(e, fates));
         self.check_swept();
     }
 
-    fn remove_vertex(&mut self, draw: &mut Draw<'_>, log: &mut Vec<String>) {
+    fn remove_vertex(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
         let Some(v) = draw.choose(&self.vertices()) else { return };
-        log.push(format!("remove vertex {}", v.0));
+        log(format!("remove vertex {}", v.0));
         let result = self.operate(|world| world.editor.remove_vertex(v));
         assert_eq!(result.is_err(), self.editor.arrangement().dcel().has_vertex(v));
         self.check_swept();
     }
 
-    fn remove_vertex_with_edges(&mut self, draw: &mut Draw<'_>, log: &mut Vec<String>) {
+    fn remove_vertex_with_edges(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
         let Some(v) = draw.choose(&self.vertices()) else { return };
-        log.push(format!("remove vertex {} with edges", v.0));
+        log(format!("remove vertex {} with edges", v.0));
         let result = self.operate(|world| world.editor.remove_vertex_with_edges(v));
         assert_eq!(result.is_err(), self.editor.arrangement().dcel().has_vertex(v));
         self.check_swept();
     }
 
-    fn merge(&mut self, draw: &mut Draw<'_>, log: &mut Vec<String>) {
+    fn merge(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
         let vertices = self.vertices();
         let mergeable: Vec<VertexId> =
             vertices.iter().copied().filter(|&v| self.editor.check_mergeable(v).is_ok()).collect();
         let Some(v) = draw.choose(&mergeable).or_else(|| draw.choose(&vertices)) else { return };
-        log.push(format!("merge at {}", v.0));
+        log(format!("merge at {}", v.0));
         let result = self.operate(|world| world.editor.merge_edges(v));
         assert_eq!(result.is_ok(), mergeable.contains(&v));
         self.check_swept();
     }
 
     /// Replaces a curve by one that covers the edge, or a point by itself.
-    fn modify(&mut self, draw: &mut Draw<'_>, log: &mut Vec<String>) {
+    fn modify(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
         let arrangement = self.editor.arrangement();
         if draw.one_in(4) {
             let Some(v) = draw.choose(&self.vertices()) else { return };
             let Some(point) = arrangement.point(v).cloned() else { return };
-            log.push(format!("modify vertex {}", v.0));
+            log(format!("modify vertex {}", v.0));
             self.operate(|world| world.editor.modify_vertex(v, point));
         } else {
             let Some(e) = draw.choose(&self.edges()) else { return };
-            let curve = if draw.one_in(2) {
-                arrangement.make_edge_curve(e)
-            } else {
-                arrangement.curve_of(e).clone()
-            };
+            let curve =
+                if draw.one_in(2) { arrangement.make_edge_curve(e) } else { arrangement.curve_of(e).clone() };
             let label = draw.below(4) as u32;
             let curve = self.family.relabeled(curve, label);
-            log.push(format!("modify edge {} to {}", e.0, self.piece_text(&curve)));
+            log(format!("modify edge {} to {}", e.0, self.piece_text(&curve)));
             self.operate(|world| world.editor.modify_edge(e, curve));
         }
         self.check_swept();
     }
 
-    fn compact(&mut self, draw: &mut Draw<'_>, log: &mut Vec<String>) {
+    fn compact(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
         // Else there never is much to take back.
         if draw.one_in(2) {
-            log.push("compact".into());
+            log("compact".into());
             let before = self.editor.arrangement().clone();
             self.editor.compact();
             self.forget();
@@ -296,9 +300,9 @@ impl<F: Family> World<F> {
         }
     }
 
-    fn clear(&mut self, draw: &mut Draw<'_>, log: &mut Vec<String>) {
+    fn clear(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
         if draw.one_in(4) {
-            log.push("clear".into());
+            log("clear".into());
             self.editor.clear();
             self.forget();
             let empty = Arrangement::new(self.family.traits(), self.family.surface());
@@ -306,9 +310,9 @@ impl<F: Family> World<F> {
         }
     }
 
-    fn take_back(&mut self, count: u64, log: &mut Vec<String>) {
+    fn take_back(&mut self, count: u64, log: Log<'_>) {
         for _ in 0..count {
-            log.push("take back".into());
+            log("take back".into());
             self.take_one_back();
         }
     }
