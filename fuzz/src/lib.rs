@@ -1,9 +1,16 @@
-//! What every fuzz target checks of a reader.
+//! What every fuzz target checks: of a reader, and of edits.
+
+// The tests have the same scripts, from random bytes.
+#[path = "../../crates/arrangement/tests/scripts/script/mod.rs"]
+#[allow(dead_code)]
+mod script;
 
 use exact::Rational;
 use splitstar_formats::{CurveFile, CurvePoint, Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
 use splitstar_formats::{StarArrangement, read_arrangement, write_arrangement};
 use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::LazyLock;
 
 /// Reads bytes as a file of that name. A message must be one short line; a model must come back from the native
 /// format as it was, and every other format must take it or say why not.
@@ -134,5 +141,21 @@ pub fn check_arrangement(bytes: &[u8]) {
             let is_long = text.split(|byte| b" /\n".contains(byte)).any(|word| word.len() > 1_000);
             assert!(is_long, "what was written cannot be read: {error}");
         }
+    }
+}
+
+/// Whether a file is run again: then the steps are printed.
+static PRINTS: LazyLock<bool> = LazyLock::new(|| std::env::args().skip(1).any(|word| Path::new(&word).is_file()));
+
+/// Runs bytes as a script of edits, after each of which everything is checked.
+pub fn check_edits(bytes: &[u8]) {
+    // Steps that are many take long, and find no more.
+    if bytes.len() <= script::HEADER + 64 * script::STEP {
+        let prints = *PRINTS;
+        script::run(bytes, &mut |step| {
+            if prints {
+                eprintln!("{step}");
+            }
+        });
     }
 }

@@ -3,9 +3,10 @@
 #![allow(clippy::print_stdout, reason = "a case that fails shows its seed")]
 
 use super::*;
-use crate::models::{Segment, SegmentTraits};
+use crate::models::polycurve::PolycurveTraits;
+use crate::models::{Segment, SegmentTraits, TorusSegmentTraits};
 use crate::random::{Numbers, Scene, random_cylinder, random_lines, random_paths, random_segments};
-use crate::topology::BoundedPlane;
+use crate::topology::{BoundedPlane, FlatTorus};
 use crate::traits::ArrangementTraits;
 use crate::wrappers::CountingTraits;
 use exact::planar::Point2;
@@ -130,5 +131,20 @@ fn records_are_taken_back_in_their_order_or_not_at_all() {
     let last = editor.observers_mut().0.pop().expect("it was recorded");
     editor.insert_point(&Point2::from_i64([7, 7]));
     assert!(editor.take_back(last).is_err());
+    assert_eq!(editor.check_valid(), []);
+}
+
+/// A chain may begin and end on the bottom, and not run along it.
+#[test]
+fn a_point_below_an_arc_from_the_bottom_to_the_bottom() {
+    let inner = TorusSegmentTraits::new([6.into(), 4.into()]).expect("the periods are positive");
+    let traits = PolycurveTraits::new(inner);
+    let arc = traits.make_cover_polyline([[1, 0], [3, 1], [5, 0]].map(Point2::from_i64));
+    let mut editor = Editor::new(Arrangement::new(traits, FlatTorus));
+    editor.insert_curve(&arc.expect("there are vertices"));
+    let point = Point2::from_i64([3, 0]);
+    assert_eq!(editor.locate(&point), Cell::Face(editor.corner_face()));
+    editor.insert_point(&point);
+    assert_eq!(editor.counts().isolated, 1);
     assert_eq!(editor.check_valid(), []);
 }

@@ -46,7 +46,10 @@ pub(crate) fn side<G: BasicTraits, T: Topology<G>>(
                 (Along::Low, _) if end.u == Along::Low => Ordering::Equal,
                 (Along::Low, _) => Ordering::Greater,
                 (Along::High, _) => Ordering::Less,
-                (_, Along::Low) if start.location.v == Along::Low && end.v == Along::Low => Ordering::Equal,
+                // One that begins and ends on the bottom runs along it, or leaves it in between.
+                (_, Along::Low) if start.location.v == Along::Low && end.v == Along::Low => {
+                    place.point().map_or(Ordering::Less, |point| traits.compare_v_at_u(point, curve))
+                }
                 (_, Along::Low) => Ordering::Less,
                 (..) => Ordering::Greater,
             }
