@@ -198,14 +198,14 @@ fn vertex_counts(polylines: &[&[[i64; 2]]]) -> [usize; 2] {
 }
 
 #[test]
-fn a_cut_in_a_polyline_that_runs_back_over_itself_is_no_vertex() {
-    // It is closed, and cut at (1, 1), where its second part passes.
-    assert_eq!(vertex_counts(&[&[[1, 1], [2, 1], [0, 1], [1, 1]]]), [2, 3]);
+fn where_a_closed_polyline_begins_is_no_vertex_if_it_runs_back_over_itself() {
+    // It begins at (1, 1), where its second part passes, and is cut at its tips only.
+    assert_eq!(vertex_counts(&[&[[1, 1], [2, 1], [0, 1], [1, 1]]]), [2, 2]);
 }
 
 #[test]
-fn a_cut_on_an_edge_is_no_vertex() {
-    assert_eq!(vertex_counts(&[&[[0, 1], [4, 1]], &[[2, 1], [1, 1], [4, 1], [2, 1]]]), [3, 4]);
+fn where_a_closed_polyline_begins_on_an_edge_is_no_vertex() {
+    assert_eq!(vertex_counts(&[&[[0, 1], [4, 1]], &[[2, 1], [1, 1], [4, 1], [2, 1]]]), [3, 3]);
 }
 
 #[test]
