@@ -150,6 +150,8 @@ mod insert;
 pub mod models;
 pub mod overlay;
 mod queries;
+#[cfg(test)]
+mod random;
 pub mod sweep;
 pub mod topology;
 pub mod traits;

@@ -99,7 +99,8 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
         &self.dcel
     }
 
-    /// Gives the point of a vertex; `None` if it stands for a side of the parameter space.
+    /// Gives the point of a vertex; `None` if it stands for a side of the parameter space. That of a vertex that was removed means
+    /// nothing.
     ///
     /// # Panics
     /// If the arrangement never had the vertex.
@@ -125,19 +126,28 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
         self.is_artificial[v.index()] && self.dcel.degree(v) == 2
     }
 
-    /// The curve of which an edge is a part.
+    /// The curve of which an edge is a part. That of an edge that was removed means nothing.
+    ///
+    /// # Panics
+    /// If the arrangement never had the edge.
     #[inline]
     pub fn support(&self, e: EdgeId) -> CurveId {
         CurveId(self.supports[e.index()])
     }
 
     /// A curve that the arrangement stores.
+    ///
+    /// # Panics
+    /// If there is no such curve.
     #[inline]
     pub fn curve(&self, curve: CurveId) -> &G::UMonotoneCurve {
         &self.curves[curve.index()]
     }
 
     /// The curve of which an edge is a part: [`Arrangement::support`] and [`Arrangement::curve`] in one.
+    ///
+    /// # Panics
+    /// If the arrangement never had the edge.
     #[inline]
     pub fn curve_of(&self, e: EdgeId) -> &G::UMonotoneCurve {
         self.curve(self.support(e))
@@ -149,6 +159,9 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
     }
 
     /// Makes the curve of an edge: the part of its support between its vertices.
+    ///
+    /// # Panics
+    /// If there is no such edge.
     ///
     /// # Complexity
     /// That of cutting a curve twice.

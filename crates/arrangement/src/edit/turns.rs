@@ -147,7 +147,8 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// It comes next after [`Edit::RemoveEdge`].
     ///
     /// # Complexity
-    /// Linear in the length of the shorter CCB, if the edge had one CCB on both sides; constant else.
+    /// Linear in the length of the shorter CCB, if the edge had one CCB on both sides; constant else. On a surface of which one pair of
+    /// sides is identified, linear in the length of all CCBs that arise.
     pub(crate) fn settle_removal<O: Observer<G, T> + ?Sized>(
         &mut self,
         ends: [VertexId; 2],
@@ -211,9 +212,10 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         self.dcel.outer_ccbs(face).take(3).count()
     }
 
-    /// Whether one vertex without a point stands for all sides: what is not connected with it passes through none.
+    /// Whether one vertex without a point stands for all sides: what is not connected with it is a hole. Where sides are identified,
+    /// it may wind round the surface.
     fn is_one_sided(&self) -> bool {
-        special_count(&self.topology) == 1
+        special_count(&self.topology) == 1 && self.winding() == Winding::None
     }
 
     fn winding(&self) -> Winding {

@@ -16,6 +16,9 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Inserts a point: an isolated vertex in a face, or a vertex that divides an edge. At a vertex, nothing changes, but an artificial one
     /// becomes an ordinary one.
     ///
+    /// # Preconditions
+    /// Those of [`Editor`] on points.
+    ///
     /// # Complexity
     /// Expected O(log n) if curves came in random order.
     pub fn insert_point(&mut self, point: &G::Point) -> VertexId {

@@ -62,13 +62,12 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
 
     /// Replaces the point of a vertex by an equal one, which may be stored otherwise or have other data attached.
     ///
-    /// Degenerate: a vertex that stands for a side has no point, and gets none.
-    ///
     /// # Preconditions
-    /// The points are equal.
+    /// The vertex has a point, and the points are equal.
     ///
     /// # Panics
-    /// If there is no such vertex. In debug builds, if it stands for a side, or has another point.
+    /// If there is no such vertex. In debug builds, if it stands for a side, which has no point, or has another point. In release builds, a
+    /// vertex that stands for a side stays as it is.
     ///
     /// # Complexity
     /// Constant.

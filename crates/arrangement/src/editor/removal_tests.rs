@@ -4,23 +4,10 @@
 
 use super::*;
 use crate::insert::Pieces;
-use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusSegmentTraits};
-use crate::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
+use crate::random::{Numbers, Scene, random_cylinder, random_lines, random_paths, random_segments};
 use crate::traits::ArrangementTraits;
 use dcel::{EdgeId, EndFate};
 use exact::planar::Point2;
-
-/// Numbers as good as random.
-struct Numbers(u64);
-
-impl Numbers {
-    fn below(&mut self, bound: i64) -> i64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % bound as u64) as i64
-    }
-}
 
 /// The edges and isolated vertices of an arrangement, swept anew.
 fn swept_again<G: UMonotoneTraits + Clone, T: Topology<G>>(
@@ -87,65 +74,34 @@ fn take_apart<G: ArrangementTraits + Clone, T: Topology<G>>(
     assert_eq!(editor.trapezoids.count(), 1);
 }
 
-#[test]
-fn segments() {
+fn on<G: ArrangementTraits<Point = Point2> + Clone, T: Topology<G>>(
+    most: i64,
+    draw: impl Fn(&mut Numbers, i64) -> Scene<G, T>,
+) {
     for seed in 1..100 {
         println!("seed {seed}");
-        let mut numbers = Numbers(seed * 0x1234_5678_9abc);
-        let n = 1 + numbers.below(12);
-        let size = 3 + numbers.below(6);
-        let segments: Vec<Segment> = (0..n)
-            .filter_map(|_| {
-                let mut point = || [numbers.below(size), numbers.below(size)];
-                Segment::from_i64([point(), point()])
-            })
-            .collect();
-        let points = [[0, 0], [1, 1], [1, 2], [7, 1]].map(Point2::from_i64);
-        let arrangement = Arrangement::of_curves_and_points(SegmentTraits, BoundedPlane, &segments, points);
-        take_apart(arrangement, &mut numbers);
+        let mut numbers = Numbers::of_seed(seed);
+        let scene = draw(&mut numbers, most);
+        take_apart(scene.arrangement(), &mut numbers);
     }
+}
+
+#[test]
+fn segments() {
+    on(12, random_segments);
 }
 
 #[test]
 fn lines_and_rays() {
-    for seed in 1..100 {
-        println!("seed {seed}");
-        let mut numbers = Numbers(seed * 0x1234_5678_9abc);
-        let n = 1 + numbers.below(9);
-        let size = 2 + numbers.below(4);
-        let curves: Vec<Linear> = (0..n)
-            .filter_map(|_| {
-                let mut point = || Point2::from_i64([numbers.below(size), numbers.below(size)]);
-                let (p, q) = (point(), point());
-                match numbers.below(3) {
-                    0 => Linear::line(&p, &q),
-                    1 => Linear::ray(p, &q),
-                    _ => Linear::segment(p, q),
-                }
-            })
-            .collect();
-        let points = [[0, 0], [1, 1], [7, 1]].map(Point2::from_i64);
-        let arrangement = Arrangement::of_curves_and_points(LinearTraits, UnboundedPlane, &curves, points);
-        take_apart(arrangement, &mut numbers);
-    }
+    on(9, random_lines);
 }
 
 #[test]
 fn paths_on_a_torus() {
-    let traits = TorusSegmentTraits::new([4.into(), 4.into()]).expect("the periods are positive");
-    for seed in 1..100 {
-        println!("seed {seed}");
-        let mut numbers = Numbers(seed * 0x1234_5678_9abc);
-        let n = 1 + numbers.below(5);
-        let paths: Vec<_> = (0..n)
-            .filter_map(|_| {
-                let start = Point2::from_i64([numbers.below(4), numbers.below(4)]);
-                let way = [numbers.below(9) - 4, numbers.below(9) - 4].map(exact::Rational::from);
-                traits.path(&start, &way).ok()
-            })
-            .collect();
-        let points = [[0, 0], [1, 1], [0, 3]].map(Point2::from_i64);
-        let arrangement = Arrangement::of_curves_and_points(traits.clone(), FlatTorus, &paths, points);
-        take_apart(arrangement, &mut numbers);
-    }
+    on(5, random_paths);
+}
+
+#[test]
+fn paths_on_a_cylinder() {
+    on(5, random_cylinder);
 }

@@ -4,110 +4,60 @@
 
 use super::*;
 use crate::models::polycurve::PolycurveTraits;
-use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusSegmentTraits};
-use crate::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
+use crate::models::{Segment, SegmentTraits, TorusSegmentTraits};
+use crate::random::{Numbers, Scene, random_cylinder, random_lines, random_paths, random_segments};
+use crate::topology::{BoundedPlane, FlatTorus};
 use crate::traits::ArrangementTraits;
 use crate::wrappers::CountingTraits;
 use exact::planar::Point2;
 
-/// Numbers as good as random.
-struct Numbers(u64);
-
-impl Numbers {
-    fn below(&mut self, bound: i64) -> i64 {
-        self.0 ^= self.0 << 13;
-        self.0 ^= self.0 >> 7;
-        self.0 ^= self.0 << 17;
-        (self.0 % bound as u64) as i64
-    }
-}
-
+/// Half of the points come before the curves.
 fn check<G: ArrangementTraits<Point = Point2> + Clone, T: Topology<G>>(
-    traits: G,
-    topology: T,
-    curves: &[G::Curve],
-    points: &[Point2],
+    seeds: u64,
+    most: i64,
+    draw: impl Fn(&mut Numbers, i64) -> Scene<G, T>,
 ) {
-    let mut editor = Editor::new(Arrangement::new(traits.clone(), topology.clone()));
-    for (i, point) in points.iter().enumerate() {
-        if i % 2 == 0 {
+    for seed in 1..seeds {
+        println!("seed {seed}");
+        let scene = draw(&mut Numbers::of_seed(seed), most);
+        let mut editor = Editor::new(Arrangement::new(scene.traits.clone(), scene.topology.clone()));
+        let (before, after) = scene.points.split_at(scene.points.len() / 2);
+        for point in before {
             editor.insert_point(point);
         }
-    }
-    for (i, curve) in curves.iter().enumerate() {
-        editor.insert_curve(curve);
-        assert_eq!(editor.trapezoids.find_faults(&editor.arrangement), Vec::<String>::new());
-        assert_eq!(editor.check_valid(), [], "after curve {i}");
-    }
-    for (i, point) in points.iter().enumerate() {
-        if i % 2 == 1 {
+        for (i, curve) in scene.curves.iter().enumerate() {
+            editor.insert_curve(curve);
+            assert_eq!(editor.trapezoids.find_faults(&editor.arrangement), Vec::<String>::new());
+            assert_eq!(editor.check_valid(), [], "after curve {i}");
+        }
+        for point in after {
             editor.insert_point(point);
         }
+        assert_eq!(editor.check_valid(), []);
+        let swept = scene.arrangement();
+        assert_eq!(editor.counts(), swept.counts());
+        assert!(editor.is_isomorphic(&swept));
     }
-    assert_eq!(editor.check_valid(), []);
-    let swept = Arrangement::of_curves_and_points(traits, topology, curves, points.iter().cloned());
-    assert_eq!(editor.counts(), swept.counts());
-    assert!(editor.is_isomorphic(&swept));
 }
 
 #[test]
 fn segments() {
-    for seed in 1..200 {
-        println!("seed {seed}");
-        let mut numbers = Numbers(seed * 0x1234_5678_9abc);
-        let n = 1 + numbers.below(12);
-        let size = 3 + numbers.below(6);
-        let segments: Vec<Segment> = (0..n)
-            .filter_map(|_| {
-                let mut point = || [numbers.below(size), numbers.below(size)];
-                Segment::from_i64([point(), point()])
-            })
-            .collect();
-        let points = [[0, 0], [1, 1], [1, 2], [7, 1]].map(Point2::from_i64);
-        check(SegmentTraits, BoundedPlane, &segments, &points);
-    }
+    check(200, 12, random_segments);
 }
 
 #[test]
 fn lines_and_rays() {
-    for seed in 1..200 {
-        println!("seed {seed}");
-        let mut numbers = Numbers(seed * 0x1234_5678_9abc);
-        let n = 1 + numbers.below(10);
-        let size = 2 + numbers.below(4);
-        let curves: Vec<Linear> = (0..n)
-            .filter_map(|_| {
-                let mut point = || Point2::from_i64([numbers.below(size), numbers.below(size)]);
-                let (p, q) = (point(), point());
-                match numbers.below(3) {
-                    0 => Linear::line(&p, &q),
-                    1 => Linear::ray(p, &q),
-                    _ => Linear::segment(p, q),
-                }
-            })
-            .collect();
-        let points = [[0, 0], [1, 1], [7, 1]].map(Point2::from_i64);
-        check(LinearTraits, UnboundedPlane, &curves, &points);
-    }
+    check(200, 10, random_lines);
 }
 
 #[test]
 fn paths_on_a_torus() {
-    let traits = TorusSegmentTraits::new([4.into(), 4.into()]).expect("the periods are positive");
-    for seed in 1..200 {
-        println!("seed {seed}");
-        let mut numbers = Numbers(seed * 0x1234_5678_9abc);
-        let n = 1 + numbers.below(6);
-        let paths: Vec<_> = (0..n)
-            .filter_map(|_| {
-                let start = Point2::from_i64([numbers.below(4), numbers.below(4)]);
-                let way = [numbers.below(9) - 4, numbers.below(9) - 4].map(exact::Rational::from);
-                traits.path(&start, &way).ok()
-            })
-            .collect();
-        let points = [[0, 0], [1, 1], [0, 3]].map(Point2::from_i64);
-        check(traits.clone(), FlatTorus, &paths, &points);
-    }
+    check(400, 6, random_paths);
+}
+
+#[test]
+fn paths_on_a_cylinder() {
+    check(200, 6, random_cylinder);
 }
 
 /// What an adverse order costs: segments side by side, each above the one before, whose search structure would be a list.
@@ -125,6 +75,63 @@ fn an_adverse_order_costs_less_than_linear_searches() {
     // Linear searches would make four times as many of twice as many segments.
     assert!(calls.windows(2).all(|pair| pair[1] < 3 * pair[0] + pair[0] / 2), "{calls:?}");
     assert!(calls[2] < 2_000 * 2_000, "{calls:?}");
+}
+
+/// Points in their order made the search structure a list, also when it was built anew.
+#[test]
+fn points_in_their_order_cost_less_than_linear_searches() {
+    let calls = [500, 1_000, 2_000].map(|n: i64| {
+        let mut editor = Editor::new(Arrangement::new(CountingTraits::new(SegmentTraits), BoundedPlane));
+        for i in 0..n {
+            editor.insert_point(&Point2::from_i64([i, 0]));
+        }
+        assert_eq!(editor.counts().isolated, n as usize);
+        editor.traits().counters().total()
+    });
+    assert!(calls.windows(2).all(|pair| pair[1] < 3 * pair[0] + pair[0] / 2), "{calls:?}");
+    assert!(calls[2] < 2_000 * 2_000, "{calls:?}");
+}
+
+/// Records that were given away and not taken back led to a panic in the middle of an edit.
+#[test]
+fn records_are_taken_back_in_their_order_or_not_at_all() {
+    use crate::edit::Undo;
+    let segment = |ends| Segment::from_i64(ends).expect("the ends are different");
+    let crossed = || {
+        let empty = Arrangement::new(SegmentTraits, BoundedPlane);
+        let undo = Undo::new(&empty);
+        let mut editor = Editor::with_observers(empty, (undo.clone(), undo)).expect("both begin there");
+        editor.insert_curve(&segment([[0, 0], [4, 4]]));
+        editor.insert_curve(&segment([[0, 4], [4, 0]]));
+        editor
+    };
+    let mut editor = crossed();
+    drop(editor.observers_mut().0.pop());
+    assert!(editor.observers_mut().0.pop().is_none(), "the way back is lost");
+
+    let mut editor = crossed();
+    drop(editor.observers_mut().0.pop());
+    editor.insert_curve(&segment([[9, 0], [9, 1]]));
+    let last = editor.observers_mut().0.pop().expect("it was recorded");
+    assert_eq!(editor.take_back(last), Ok(()));
+    assert!(editor.observers_mut().0.pop().is_none());
+    assert_eq!((editor.check_valid(), editor.counts().edges), (vec![], 4));
+
+    // The other recorder sees that somebody else took something back.
+    let mut editor = crossed();
+    let last = editor.observers_mut().0.pop().expect("it was recorded");
+    assert_eq!(editor.take_back(last), Ok(()));
+    assert!(editor.observers_mut().1.pop().is_none());
+    let last = editor.observers_mut().0.pop().expect("it was recorded");
+    assert_eq!(editor.take_back(last), Ok(()));
+    assert_eq!(editor.counts().vertices, 0);
+
+    // Out of date.
+    let mut editor = crossed();
+    let last = editor.observers_mut().0.pop().expect("it was recorded");
+    editor.insert_point(&Point2::from_i64([7, 7]));
+    assert!(editor.take_back(last).is_err());
+    assert_eq!(editor.check_valid(), []);
 }
 
 /// A chain may begin and end on the bottom, and not run along it.

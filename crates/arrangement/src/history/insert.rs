@@ -22,6 +22,9 @@ impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> ArrangementWithHis
 
     /// Inserts a point: an isolated vertex in a face, or a vertex that divides an edge, or one that is there already.
     ///
+    /// # Preconditions
+    /// Those of [`Editor`](crate::Editor) on points.
+    ///
     /// # Complexity
     /// Expected O(log n) if curves came in random order, and linear in the number of inputs on the edge that is split.
     pub fn insert_point(&mut self, point: &G::Point) -> InputId {

@@ -72,6 +72,10 @@ type InputOf<G> = Input<<G as ArrangementTraits>::Curve, <G as crate::traits::Ba
 /// 2. An edge is one of [`edges_of`](Self::edges_of) an input if and only if it lies on the curve, and then the input is one of
 ///    [`curves_of`](Self::curves_of) the edge.
 ///
+/// What it reads from the arrangement names curves by [`CurveId`](crate::CurveId), as [`Arrangement::curves`] and
+/// [`Arrangement::support`] do; its own methods name inputs by [`InputId`], [`curve`](Self::curve) too. Where a point lies,
+/// [`editor`](Self::editor) tells.
+///
 /// For these laws, edges and vertices cannot be changed but by inputs: a point that is inserted divides an edge, and the edge is
 /// whole again when the point is removed.
 ///

@@ -20,10 +20,11 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
         for e in rounds(dcel.edges().collect()) {
             trapezoids.add_edge(arrangement, e);
         }
-        for v in arrangement.vertices() {
+        for v in rounds(arrangement.vertices().collect()) {
             trapezoids.add_home(arrangement, v);
         }
         trapezoids.excess = 0;
+        trapezoids.built_nodes = trapezoids.nodes.len();
         trapezoids
     }
 
@@ -88,19 +89,19 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
     }
 }
 
-/// Puts edges into rounds, each about as many as all before together, chosen as if at random, the same way every time; within a round
+/// Puts cells into rounds, each about as many as all before together, chosen as if at random, the same way every time; within a round
 /// they keep their order, in which they are usually near to one another.
 ///
 /// # References
 /// Amenta, Choi and Rote, Incremental constructions con BRIO, SoCG 2003: the expected cost is that of a random order.
-fn rounds(mut edges: Vec<EdgeId>) -> Vec<EdgeId> {
+fn rounds<I>(mut cells: Vec<I>) -> Vec<I> {
     let mut state = 0x9e37_79b9_7f4a_7c15_u64;
-    let last = edges.len().checked_ilog2().unwrap_or(0);
-    edges.sort_by_cached_key(|_| {
+    let last = cells.len().checked_ilog2().unwrap_or(0);
+    cells.sort_by_cached_key(|_| {
         state ^= state << 13;
         state ^= state >> 7;
         state ^= state << 17;
         last.saturating_sub(state.leading_zeros())
     });
-    edges
+    cells
 }

@@ -1,10 +1,10 @@
 //! The face of a trapezoid, and which trapezoids are next to one another.
 
 use super::seams::is_open;
-use super::{Side, SiteId, TrapezoidId, Trapezoids};
+use super::{Side, SiteId, Trapezoid, TrapezoidId, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::Topology;
-use crate::traits::BasicTraits;
+use crate::traits::{Along, BasicTraits};
 use dcel::{CcbId, FaceId, VertexId};
 
 /// What a part of a face has that is not its boundary.
@@ -204,13 +204,16 @@ impl<G: BasicTraits> Trapezoids<G> {
         true
     }
 
-    /// The CCBs along trapezoids, and the isolated vertices between them that are points; each once.
+    /// The CCBs along trapezoids, and the isolated vertices between them or on their sides; each once.
     pub(crate) fn contents<T: Topology<G>>(
         &self,
         arrangement: &Arrangement<G, T>,
         trapezoids: &[TrapezoidId],
     ) -> Contents {
         let dcel = arrangement.dcel();
+        let isolated = |v: VertexId| Some(v).filter(|&v| dcel.isolated_face(v).is_some());
+        // Vertices that stand for sides have no site as long as no curve ends there.
+        let sides = arrangement.topology().side_vertices().map(|v| v.and_then(|v| isolated(VertexId(v))));
         let mut contents = Contents::default();
         for &t in trapezoids {
             let trapezoid = self.trapezoid(t);
@@ -221,16 +224,25 @@ impl<G: BasicTraits> Trapezoids<G> {
                     contents.ccbs.push(dcel.ccb(if side == Side::Below { h } else { h.twin() }));
                 }
             }
-            let isolated = |site: SiteId| {
-                let v = (!site.is_none()).then(|| self.vertex(site));
-                v.filter(|&v| dcel.isolated_face(v).is_some())
-            };
-            contents.isolated.extend([trapezoid.left, trapezoid.right].into_iter().filter_map(isolated));
+            let ends = [trapezoid.left, trapezoid.right].into_iter().filter(|site| !site.is_none());
+            contents.isolated.extend(ends.filter_map(|site| isolated(self.vertex(site))));
+            let touched = sides.into_iter().zip(self.touched_sides(trapezoid));
+            contents.isolated.extend(touched.filter(|(_, is)| *is).filter_map(|(v, _)| v));
         }
         contents.ccbs.sort_unstable();
         contents.ccbs.dedup();
         contents.isolated.sort_unstable();
         contents.isolated.dedup();
         contents
+    }
+
+    /// Whether a trapezoid touches the sides left, right, bottom and top, as far as no site is on them.
+    fn touched_sides(&self, trapezoid: &Trapezoid) -> [bool; 4] {
+        let Trapezoid { left, right, below, above, .. } = *trapezoid;
+        let is_at = |site: SiteId, u: Along| !site.is_none() && self.location(site).u == u;
+        // Above a piece of the left side is that side itself, and below a piece of the right one.
+        let is_on_top = above.is_none() && !is_at(right, Along::Low);
+        let is_on_bottom = below.is_none() && !is_at(left, Along::High);
+        [left.is_none(), right.is_none(), is_on_bottom, is_on_top]
     }
 }

@@ -21,9 +21,9 @@
 //! longer part keeps when the edge is split.
 //!
 //! The search structure is the history of the decomposition: a leaf that is no more has become a comparison with a site or a curve.
-//! With edges in random order, its depth is expected to be logarithmic. Each search counts its steps; when those beyond the
-//! logarithm add up to the cost of building all anew, that is done. So an adverse order of edits costs no more than O(sqrt(n log n)) a
-//! search, amortized.
+//! With edges in random order, its depth is expected to be logarithmic. Each search of an edit counts its steps; when those beyond the
+//! logarithm add up to the cost of building all anew, that is done. So an adverse order of edits costs no more than O(sqrt(n) log n) for
+//! each of these searches, amortized. Searches that only read do not count.
 //!
 //! # References
 //! Thesis, section 2.4.5 and 2.4.4 (zone); de Berg, Cheong, van Kreveld and Overmars, Computational Geometry, chapter 6.
@@ -239,6 +239,8 @@ pub(crate) struct Trapezoids<G: BasicTraits> {
     free_rails: Vec<RailId>,
     /// Steps of searches beyond the logarithm since the search structure was built.
     excess: u64,
+    /// How many nodes that had then.
+    built_nodes: usize,
     visits: faces::Visits,
 }
 
@@ -264,6 +266,7 @@ impl<G: BasicTraits> Trapezoids<G> {
             free_trapezoids: Vec::new(),
             free_rails: Vec::new(),
             excess: 0,
+            built_nodes: 1,
             visits: faces::Visits::default(),
         }
     }

@@ -171,8 +171,9 @@ impl<G: BasicTraits> Trapezoids<G> {
 
     /// Tells whether searches took so long that it pays to build all anew.
     pub(crate) fn is_worn(&self) -> bool {
-        // Dead nodes count too: they are memory.
+        // Dead nodes count too: they are memory. But what was built anew just now is not worn, however unlucky its order was.
         let size = self.count() as u64;
-        self.excess > 64 + 8 * size || self.nodes.len() as u64 > 64 + 16 * size
+        let nodes = (self.nodes.len() as u64).saturating_sub(self.built_nodes as u64);
+        self.excess > 64 + 8 * size || nodes > 64 + (12 * size).max(self.built_nodes as u64)
     }
 }

@@ -100,6 +100,9 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
 
     /// Tells a visitor in which cell a point lies, as if it were a curve that begins and ends there at once.
     ///
+    /// # Preconditions
+    /// Those of [`Editor`] on points.
+    ///
     /// # Complexity
     /// That of [`Editor::locate`].
     pub fn zone_of_point<V: ZoneVisitor<G> + ?Sized>(

@@ -73,8 +73,7 @@ fn parting<G: UMonotoneTraits, T: Topology<G>>(
             && topology.compare_sites(traits, start, &parting).is_lt()
             && is_before(&parting)
     };
-    let from = start.point().filter(|_| start.location.is_interior());
-    let parting = traits.end_of_overlap(curve, &arrangement.curves()[rail.curve as usize], from);
+    let parting = traits.end_of_overlap(curve, &arrangement.curves()[rail.curve as usize], start.point());
     parting.filter(is_ahead).or(end)
 }
 

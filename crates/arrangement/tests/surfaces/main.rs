@@ -4,6 +4,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod glue;
+mod increments;
 mod paths;
 mod random;
 mod rectangle;

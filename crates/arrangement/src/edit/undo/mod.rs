@@ -37,6 +37,8 @@ enum State {
     Between,
     /// In an operation.
     Within,
+    /// Between operations: the last one was given away, and nothing was changed since.
+    Popped,
     /// In one that takes changes back.
     Undoing,
 }
@@ -63,10 +65,24 @@ impl<G: BasicTraits> Undo<G> {
         *self = Self::new(arrangement);
     }
 
-    /// Gives the last operation, which is recorded no more.
+    /// Gives the last operation, which is recorded no more, to be taken back before anything else is done.
+    ///
+    /// Whoever takes back something else, changes something, or asks for another operation first, has lost the way back: then all
+    /// records are dropped.
     pub fn pop(&mut self) -> Option<Recorded<G>> {
+        if self.state == State::Popped {
+            self.forget();
+        }
         let start = self.starts.pop()?;
+        self.state = State::Popped;
         Some(Recorded { steps: self.steps.split_off(start), stamp: self.stamp })
+    }
+
+    /// Drops all records.
+    fn forget(&mut self) {
+        self.steps.clear();
+        self.starts.clear();
+        self.state = State::Between;
     }
 
     /// Takes the last operation back, if there is one, and tells so. For a recorder that is not among those who are told;
@@ -84,6 +100,7 @@ impl<G: BasicTraits> Undo<G> {
         let Some(recorded) = self.pop() else { return Ok(false) };
         recorded.take_back(arrangement, observer)?;
         self.stamp = arrangement.stamp();
+        self.state = State::Between;
         Ok(true)
     }
 }
@@ -125,6 +142,9 @@ impl<G: BasicTraits, T: Topology<G>> Observer<G, T> for Undo<G> {
             self.restart(arrangement);
             self.state = state;
         }
+        if self.state == State::Popped {
+            self.forget();
+        }
         if self.state != State::Undoing {
             self.pending = Pending::of(arrangement, edit);
         }
@@ -144,6 +164,10 @@ impl<G: BasicTraits, T: Topology<G>> Observer<G, T> for Undo<G> {
     }
 
     fn begin_operation(&mut self, _: &Arrangement<G, T>, operation: Operation) {
+        // What is taken back is the operation that was given away, or one of somebody else.
+        if (operation == Operation::Undo) != (self.state == State::Popped) {
+            self.forget();
+        }
         if operation == Operation::Undo {
             self.state = State::Undoing;
         } else {

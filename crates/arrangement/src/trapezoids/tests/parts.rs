@@ -1,6 +1,8 @@
 //! What is connected: the smaller of two parts, and what lies in it.
 
 use super::*;
+use crate::models::{Segment, SegmentTraits, TorusSegmentTraits};
+use crate::topology::{BoundedPlane, FlatTorus};
 use dcel::FaceId;
 
 fn sorted(mut trapezoids: Vec<TrapezoidId>) -> Vec<TrapezoidId> {
@@ -45,8 +47,7 @@ fn smaller_parts_are_parts<G: UMonotoneTraits, T: Topology<G>>(
             let mut ccbs: Vec<_> = dcel.face_ccbs(face).collect();
             ccbs.sort_unstable();
             assert_eq!(contents.ccbs, ccbs, "seed {seed}, {face:?}");
-            let is_point = |v: &VertexId| arrangement.point(*v).is_some();
-            let mut isolated: Vec<_> = dcel.isolated_vertices(face).filter(is_point).collect();
+            let mut isolated: Vec<_> = dcel.isolated_vertices(face).collect();
             isolated.sort_unstable();
             assert_eq!(contents.isolated, isolated, "seed {seed}, {face:?}");
         }
@@ -133,7 +134,7 @@ fn one_loop_around_a_torus_has_one_part_on_both_sides() {
 #[test]
 fn marks_of_visits_are_wiped_out_when_their_numbers_are_used_up() {
     let mut numbers = Numbers::of_seed(7);
-    let arrangement = random_segments(&mut numbers, 12);
+    let arrangement = random_segments(&mut numbers, 12).arrangement();
     let mut trapezoids = Trapezoids::of(&arrangement);
     let t = trapezoids.sites[0].left[0];
     let part = sorted(trapezoids.part(&arrangement, t));
