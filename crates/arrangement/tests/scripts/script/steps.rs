@@ -146,59 +146,71 @@ impl<F: Family> World<F> {
         self.forget();
     }
 
-    /// Inserts a u-monotone curve that meets nothing, if the one drawn does not.
+    /// Inserts u-monotone curves that meet nothing: the pieces of one of some that are drawn.
     fn insert_free(&mut self, draw: &mut Draw<'_>, log: Log<'_>) {
-        let Some(curve) = self.family.curve(draw) else { return };
-        let mut pieces = Vec::new();
-        self.family.traits().make_u_monotone(&curve, &mut pieces);
-        for piece in pieces {
-            let Piece::Curve { curve, .. } = piece else { continue };
-            if self.meets(&curve) {
-                continue;
+        for _ in 0..8 {
+            let mut pieces = Vec::new();
+            if let Some(curve) = self.family.curve(draw) {
+                self.family.traits().make_u_monotone(&curve, &mut pieces);
             }
-            let arrangement = self.editor.arrangement();
-            let traits = arrangement.traits();
-            // A curve without an end is not at the vertex of a side with it, for those who insert it.
-            let cells = CurveEnd::BOTH.map(|end| {
-                let point = traits.end_point(&curve, end)?;
-                Some(locate_all(arrangement, std::slice::from_ref(point))[0])
-            });
-            let is_closed = match CurveEnd::BOTH.map(|end| traits.end_point(&curve, end)) {
-                [Some(p), Some(q)] => traits.is_same_point(p, q),
-                _ => false,
-            };
-            let mut expected = arrangement.clone();
-            let mut pieces = Pieces::new();
-            pieces.push_piece(curve.clone(), [false; 2]);
-            expected.insert_pieces(pieces);
-            let vertex = cells.map(|cell| match cell {
-                Some(Cell::Vertex(v)) => Some(v),
-                _ => None,
-            });
-            let is_new = cells.map(|cell| cell.is_none_or(|cell| matches!(cell, Cell::Face(_))));
-            let face = cells.iter().flatten().find_map(|&cell| face_of(cell));
-            let text = self.piece_text(&curve);
-            let knows = draw.below(4) > 0;
-            let how = match (vertex, face) {
-                ([Some(v), Some(w)], _) if knows => How::Between([v, w]),
-                ([Some(v), None], _) if knows && is_new[1] => How::From(v),
-                ([None, Some(v)], _) if knows && is_new[0] => How::To(v),
-                ([None, None], Some(face)) if knows && is_new == [true; 2] && !is_closed => How::In(face),
-                _ => How::Anyhow,
-            };
-            log(format!("insert {how:?} {text}"));
-            self.operate(|world| {
-                let editor = &mut world.editor;
-                match how {
-                    How::Between(ends) => editor.insert_edge_between(ends, curve),
-                    How::From(v) => editor.insert_edge_from(v, curve),
-                    How::To(v) => editor.insert_edge_to(curve, v),
-                    How::In(face) => editor.insert_edge_in_face(curve, face),
-                    How::Anyhow => editor.insert_disjoint(curve),
+            let mut was_free = false;
+            for piece in pieces {
+                let Piece::Curve { curve, .. } = piece else { continue };
+                if !self.meets(&curve) {
+                    self.insert_disjoint(curve, draw, log);
+                    was_free = true;
                 }
-            });
-            assert_alike(&self.family, self.editor.arrangement(), &expected);
+            }
+            if was_free {
+                break;
+            }
         }
+    }
+
+    /// Inserts a u-monotone curve that meets nothing, in one of the ways in which that can be told.
+    fn insert_disjoint(&mut self, curve: PieceOf<F>, draw: &mut Draw<'_>, log: Log<'_>) {
+        let arrangement = self.editor.arrangement();
+        let traits = arrangement.traits();
+        // A curve without an end is not at the vertex of a side with it, for those who insert it.
+        let cells = CurveEnd::BOTH.map(|end| {
+            let point = traits.end_point(&curve, end)?;
+            Some(locate_all(arrangement, std::slice::from_ref(point))[0])
+        });
+        let is_closed = match CurveEnd::BOTH.map(|end| traits.end_point(&curve, end)) {
+            [Some(p), Some(q)] => traits.is_same_point(p, q),
+            _ => false,
+        };
+        let mut expected = arrangement.clone();
+        let mut pieces = Pieces::new();
+        pieces.push_piece(curve.clone(), [false; 2]);
+        expected.insert_pieces(pieces);
+        let vertex = cells.map(|cell| match cell {
+            Some(Cell::Vertex(v)) => Some(v),
+            _ => None,
+        });
+        let is_new = cells.map(|cell| cell.is_none_or(|cell| matches!(cell, Cell::Face(_))));
+        let face = cells.iter().flatten().find_map(|&cell| face_of(cell));
+        let text = self.piece_text(&curve);
+        let knows = draw.below(4) > 0;
+        let how = match (vertex, face) {
+            ([Some(v), Some(w)], _) if knows => How::Between([v, w]),
+            ([Some(v), None], _) if knows && is_new[1] => How::From(v),
+            ([None, Some(v)], _) if knows && is_new[0] => How::To(v),
+            ([None, None], Some(face)) if knows && is_new == [true; 2] && !is_closed => How::In(face),
+            _ => How::Anyhow,
+        };
+        log(format!("insert {how:?} {text}"));
+        self.operate(|world| {
+            let editor = &mut world.editor;
+            match how {
+                How::Between(ends) => editor.insert_edge_between(ends, curve),
+                How::From(v) => editor.insert_edge_from(v, curve),
+                How::To(v) => editor.insert_edge_to(curve, v),
+                How::In(face) => editor.insert_edge_in_face(curve, face),
+                How::Anyhow => editor.insert_disjoint(curve),
+            }
+        });
+        assert_alike(&self.family, self.editor.arrangement(), &expected);
     }
 
     /// Tells whether the interior of a curve meets something.
