@@ -1,7 +1,16 @@
-//! What every fuzz target checks of a reader.
+//! What every fuzz target checks: of a reader, and of edits.
 
-use splitstar_formats::{Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
-use splitstar_formats::{read_arrangement, write_arrangement};
+// The tests have the same scripts, from random bytes.
+#[path = "../../crates/arrangement/tests/scripts/script/mod.rs"]
+#[allow(dead_code)]
+mod script;
+
+use exact::Rational;
+use splitstar_formats::{CurveFile, CurvePoint, Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
+use splitstar_formats::{StarArrangement, read_arrangement, write_arrangement};
+use std::ops::ControlFlow;
+use std::path::Path;
+use std::sync::LazyLock;
 
 /// Reads bytes as a file of that name. A message must be one short line; a model must come back from the native
 /// format as it was, and every other format must take it or say why not.
@@ -51,7 +60,8 @@ fn has_long_numbers(model: &Model) -> bool {
     model.shape.points().any(|point| point.bits() > 1_000)
 }
 
-/// Reads bytes as a file of curves. A message must be one short line; curves must come back as they were.
+/// Reads bytes as a file of curves. A message must be one short line; curves must come back as they were, and the text of their
+/// arrangement must not depend on their order.
 pub fn check_curves(bytes: &[u8]) {
     let file = match read_curves(bytes, None) {
         Ok(file) => file,
@@ -65,17 +75,49 @@ pub fn check_curves(bytes: &[u8]) {
         Ok(again) => assert_eq!(again.curves, file.curves),
         Err(error) => assert!(file.curves.iter().any(is_long), "what was written cannot be read: {error}"),
     }
+    if file.curves.len() <= 12 && bytes.len() <= 500 && !file.curves.iter().any(is_long) {
+        check_arrangement_of(file);
+    }
+}
+
+fn check_arrangement_of(CurveFile { mut curves, period, .. }: CurveFile) {
+    if period.as_ref().is_some_and(|period| curves.iter().any(|curve| is_far(period, curve))) {
+        return;
+    }
+    let make = |curves: Vec<InputCurve>| {
+        let mut calls = 0;
+        let few = |_| {
+            calls += 1;
+            if calls < 4 { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
+        };
+        StarArrangement::of_curves_with(curves, period.clone(), few).ok().flatten()
+    };
+    let Some(arrangement) = make(curves.clone()) else { return };
+    let text = write_arrangement(&arrangement);
+    check_arrangement(&text);
+    curves.reverse();
+    let again = make(curves).expect("the curves are the same");
+    assert_eq!(String::from_utf8_lossy(&write_arrangement(&again)), String::from_utf8_lossy(&text));
 }
 
 /// As for models: a number may have more digits, written out, than may be read.
 fn is_long(curve: &InputCurve) -> bool {
-    let points = match curve {
-        InputCurve::Segment(points) | InputCurve::Ray(points) | InputCurve::Line(points) => points.as_slice(),
+    points_of(curve).iter().flat_map(|point| point.coordinates()).any(|number| number.to_string().len() > 1_000)
+}
+
+fn points_of(curve: &InputCurve) -> &[CurvePoint] {
+    match curve {
+        InputCurve::Segment(points) | InputCurve::Ray(points) | InputCurve::Line(points) => points,
         InputCurve::Polyline(points) => points,
         InputCurve::Point(point) => std::slice::from_ref(point),
         _ => &[],
-    };
-    points.iter().flat_map(|point| point.coordinates()).any(|number| number.to_string().len() > 1_000)
+    }
+}
+
+/// Whether a curve may go around the torus very often, and so be cut into very many pieces.
+fn is_far([p, q]: &[Rational; 2], curve: &InputCurve) -> bool {
+    let far = |x: &Rational, period: &Rational| x.abs() > Rational::from(100) * period;
+    points_of(curve).iter().map(|point| point.coordinates()).any(|[x, y]| far(&x, p) || far(&y, q))
 }
 
 /// Reads bytes as an arrangement. A message must be one short line; an arrangement must come back with the text that it is given.
@@ -99,5 +141,21 @@ pub fn check_arrangement(bytes: &[u8]) {
             let is_long = text.split(|byte| b" /\n".contains(byte)).any(|word| word.len() > 1_000);
             assert!(is_long, "what was written cannot be read: {error}");
         }
+    }
+}
+
+/// Whether a file is run again: then the steps are printed.
+static PRINTS: LazyLock<bool> = LazyLock::new(|| std::env::args().skip(1).any(|word| Path::new(&word).is_file()));
+
+/// Runs bytes as a script of edits, after each of which everything is checked.
+pub fn check_edits(bytes: &[u8]) {
+    // Steps that are many take long, and find no more.
+    if bytes.len() <= script::HEADER + 64 * script::STEP {
+        let prints = *PRINTS;
+        script::run(bytes, &mut |step| {
+            if prints {
+                eprintln!("{step}");
+            }
+        });
     }
 }

@@ -13,4 +13,4 @@ struct Linear {
   }
 };
 
-int main(int count, char** values) { return run_driver<Linear>("arr_linear", count, values); }
+int main(int count, char** values) { return run_driver<Operations<Linear>>("arr_linear", count, values); }

@@ -13,4 +13,4 @@ struct Polylines {
   }
 };
 
-int main(int count, char** values) { return run_driver<Polylines>("arr_polylines", count, values); }
+int main(int count, char** values) { return run_driver<Operations<Polylines>>("arr_polylines", count, values); }

@@ -1,4 +1,4 @@
-// What the CGAL drivers of arrangements share: the reader of curves, the report, and the three operations for any traits class.
+// What the CGAL drivers of arrangements share: the reader of curves, the report, and the operations for any traits class.
 #pragma once
 
 #include <CGAL/Arr_batched_point_location.h>
@@ -83,7 +83,8 @@ inline double user_seconds() {
 struct Answer {
   std::size_t vertices = 0, edges = 0, faces = 0;
   bool is_location = false;
-  // Points on vertices, on edges and in faces, and the lengths of the outer boundaries of these faces, added up.
+  // Vertices, edges and faces where points were located or that curves met, each as often as it was found, and the lengths of
+  // the outer boundaries of these faces, added up.
   std::size_t on_vertices = 0, on_edges = 0, in_faces = 0, around = 0;
   std::uint64_t hash = 0;
   std::vector<double> seconds, user;
@@ -108,6 +109,17 @@ struct Operations {
   using Traits = typename Model::Traits;
   using Arrangement = CGAL::Arrangement_2<Traits>;
   using Curve = typename Traits::Curve_2;
+
+  // How many files an operation reads; none if there is no such operation.
+  static int files(const std::string& operation) {
+    return operation == "build" ? 1 : operation == "overlay" || operation == "locate" ? 2 : 0;
+  }
+
+  void perform(const std::string& operation, const std::vector<Lines>& inputs) {
+    if (operation == "build") build(inputs.at(0));
+    if (operation == "overlay") overlay(inputs.at(0), inputs.at(1));
+    if (operation == "locate") locate(inputs.at(0), inputs.at(1));
+  }
 
   Traits traits;
   std::size_t least;
@@ -139,13 +151,15 @@ struct Operations {
     });
   }
 
-  void count(const Arrangement& arrangement) {
+  template <class Any>
+  void count(const Any& arrangement) {
     answer.vertices = arrangement.number_of_vertices();
     answer.edges = arrangement.number_of_edges();
     answer.faces = arrangement.number_of_faces();
   }
 
-  std::unique_ptr<Arrangement> empty() { return std::make_unique<Arrangement>(&traits); }
+  template <class Any = Arrangement>
+  std::unique_ptr<Any> empty() { return std::make_unique<Any>(&traits); }
 
   // Aggregated insertion of all curves into an empty arrangement.
   void build(const Lines& input) {
@@ -206,21 +220,20 @@ struct Operations {
   }
 };
 
-// `driver build|overlay|locate CURVES [CURVES|POINTS] [LEAST [SECONDS]]`
-template <class Model>
+// `driver OPERATION FILE... [LEAST [SECONDS]]`; `Operations` and what derives from it know the operations.
+template <class Operations>
 int run_driver(const char* method, int count, char** values) try {
   const std::string operation = count > 1 ? values[1] : "";
-  const int files = operation == "build" ? 1 : 2;
-  if (count < 2 + files || (operation != "build" && operation != "overlay" && operation != "locate"))
-    throw std::runtime_error("usage: build CURVES | overlay CURVES CURVES | locate CURVES POINTS, [LEAST [SECONDS]]");
-  Operations<Model> operations;
+  const int files = Operations::files(operation);
+  if (files == 0 || count < 2 + files)
+    throw std::runtime_error("usage: OPERATION FILE... [LEAST [SECONDS]]; no such operation, or too few files");
+  Operations operations;
   operations.least = count > 2 + files ? std::stoul(values[2 + files]) : 3;
   operations.budget = count > 3 + files ? std::stod(values[3 + files]) : 1.0;
-  const Lines first = read_lines(values[2]);
-  if (operation == "build") operations.build(first);
-  if (operation == "overlay") operations.overlay(first, read_lines(values[3]));
-  if (operation == "locate") operations.locate(first, read_lines(values[3]));
-  operations.answer.hash = first.hash;
+  std::vector<Lines> inputs;
+  for (int i = 0; i < files; ++i) inputs.push_back(read_lines(values[2 + i]));
+  operations.perform(operation, inputs);
+  operations.answer.hash = inputs.front().hash;
   operations.answer.print(method);
   return EXIT_SUCCESS;
 } catch (const std::exception& error) {

@@ -1,5 +1,8 @@
 //! Insertion of many curves at once, by one sweep.
 
+#[cfg(test)]
+mod tests;
+
 use crate::arrangement::build::Builder;
 use crate::arrangement::{Arrangement, assemble::assemble};
 use crate::overlay::{Provenance, overlay_with_pieces};
@@ -166,9 +169,40 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// # Complexity
     /// That of [`sweep`], over old edges and new curves: so insert many curves at once.
     pub fn insert_pieces(&mut self, pieces: Pieces<G>) -> Provenance {
-        let (parts, provenance) = overlay_with_pieces(&self.traits, &self.topology, &[self], pieces);
+        self.insert_pieces_with(pieces, |_| ControlFlow::Continue(())).expect("nobody stops the sweep")
+    }
+
+    /// Inserts u-monotone curves and points, by one sweep over them and the edges that are there; now and then `watch` is told how far
+    /// the sweep has come, and may stop it. Then nothing is inserted, and the arrangement stays as it is, ids included.
+    ///
+    /// # Complexity
+    /// That of [`Arrangement::insert_pieces`]. `watch` is called once in about a thousand events.
+    ///
+    /// ```
+    /// use splitstar_arrangement::{Arrangement, Pieces, models::{Segment, SegmentTraits}, topology::BoundedPlane};
+    /// use std::ops::ControlFlow;
+    /// let segments = |u: i64| (0..2000).map(move |v| Segment::from_i64([[u, v], [u + 1, v]]).expect("the ends are different"));
+    /// let pieces = |u| {
+    ///     let mut pieces = Pieces::<SegmentTraits>::new();
+    ///     segments(u).for_each(|segment| pieces.push_curve(segment));
+    ///     pieces
+    /// };
+    /// let mut arrangement = Arrangement::of_pieces(SegmentTraits, BoundedPlane, pieces(0));
+    /// let stopped = arrangement.insert_pieces_with(pieces(5), |progress| {
+    ///     assert_eq!(progress.sites, 8000);
+    ///     if progress.sites_met > progress.sites / 2 { ControlFlow::Break(()) } else { ControlFlow::Continue(()) }
+    /// });
+    /// assert!(stopped.is_none());
+    /// assert_eq!(arrangement.counts().edges, 2000);
+    /// ```
+    pub fn insert_pieces_with(
+        &mut self,
+        pieces: Pieces<G>,
+        watch: impl FnMut(Progress) -> ControlFlow<()>,
+    ) -> Option<Provenance> {
+        let (parts, provenance) = overlay_with_pieces(&self.traits, &self.topology, &[self], pieces, watch)?;
         self.set_parts(parts);
-        provenance
+        Some(provenance)
     }
 
     /// Inserts points, by one sweep over them and the edges that are there: see [`Arrangement::insert_pieces`].
@@ -247,102 +281,5 @@ impl<G: ArrangementTraits, T: Topology<G>> Arrangement<G, T> {
     {
         let pieces = Pieces::of_curves(&self.traits, curves);
         self.insert_pieces(pieces)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::models::{Segment, SegmentTraits, TorusSegmentTraits};
-    use crate::overlay::Cell;
-    use crate::topology::{BoundedPlane, FlatTorus};
-    use exact::planar::Point2;
-
-    fn segment(ends: [[i64; 2]; 2]) -> Segment {
-        Segment::from_i64(ends).expect("the ends are different")
-    }
-
-    /// A segment cut at (2, 0), another one, and a point.
-    fn cut_segment() -> Pieces<SegmentTraits> {
-        let mut pieces = Pieces::new();
-        pieces.push_curve(segment([[0, 1], [4, 1]]));
-        pieces.push_piece(segment([[0, 0], [2, 0]]), [false, true]);
-        pieces.push_point(Point2::from_i64([9, 9]));
-        pieces.push_piece(segment([[2, 0], [4, 0]]), [true, false]);
-        pieces
-    }
-
-    #[test]
-    fn flags_stay_with_their_curves() {
-        let pieces = cut_segment();
-        assert_eq!(pieces.is_artificial(), [[false; 2], [false, true], [true, false]]);
-        assert_eq!((pieces.curves().len(), pieces.points().len()), (3, 1));
-        let mut extended = Pieces::<SegmentTraits>::new();
-        let flags = pieces.is_artificial().iter();
-        extended.extend(
-            pieces
-                .curves()
-                .iter()
-                .zip(flags)
-                .map(|(curve, &is_artificial)| Piece::Curve { curve: curve.clone(), is_artificial }),
-        );
-        extended.extend([Piece::Point(Point2::from_i64([9, 9]))]);
-        for pieces in [pieces, extended] {
-            let arrangement = Arrangement::of_pieces(SegmentTraits, BoundedPlane, pieces);
-            assert_eq!(arrangement.check_valid(), []);
-            let [counts, stored] = [arrangement.counts(), arrangement.counts_with_splits()];
-            assert_eq!((counts.vertices, counts.edges, counts.isolated), (5, 2, 1));
-            assert_eq!((stored.vertices, stored.edges, stored.isolated), (6, 3, 1));
-        }
-    }
-
-    #[test]
-    fn points_are_inserted_with_curves_and_after_them() {
-        // On an edge, at an end, at the place of a cut, in the face, and twice.
-        let points = || [[1, 1], [0, 0], [2, 0], [5, 5], [5, 5], [9, 9]].map(Point2::from_i64);
-        let mut arrangement = Arrangement::of_pieces(SegmentTraits, BoundedPlane, cut_segment());
-        let plane = arrangement.corner_face();
-        let provenance = arrangement.insert_points(points());
-        assert_eq!(arrangement.check_valid(), []);
-        let counts = arrangement.counts();
-        assert_eq!((counts.vertices, counts.edges, counts.isolated), (8, 4, 2));
-        let origin = |at| {
-            let at = Point2::from_i64(at);
-            let v = arrangement.vertices().find(|&v| arrangement.point(v) == Some(&at));
-            provenance.of_vertex(v.expect("a point is a vertex"))[0]
-        };
-        assert!(matches!(origin([1, 1]), Cell::Edge(_)));
-        assert!(matches!(origin([2, 0]), Cell::Vertex(_)));
-        assert_eq!(origin([5, 5]), Cell::Face(plane));
-
-        let segments = [segment([[0, 1], [4, 1]]), segment([[0, 0], [2, 0]]), segment([[2, 0], [4, 0]])];
-        let together = Arrangement::of_curves_and_points(SegmentTraits, BoundedPlane, &segments, points());
-        assert!(arrangement.is_isomorphic(&together));
-    }
-
-    #[test]
-    fn nothing_is_inserted() {
-        let none: [Segment; 0] = [];
-        let mut empty = Arrangement::of_curves_and_points(SegmentTraits, BoundedPlane, &none, []);
-        empty.insert_points([]);
-        assert_eq!(empty.check_valid(), []);
-        assert_eq!((empty.counts().vertices, empty.counts().faces), (0, 1));
-    }
-
-    #[test]
-    fn points_of_a_torus_are_brought_home() {
-        let traits = TorusSegmentTraits::new([4.into(), 4.into()]).expect("the periods are positive");
-        let through = Point2::from_i64([1, 1]);
-        let path = traits.closed_path(&through, [1, 0]).expect("the path is short");
-        // Two on the path, of which one is where it crosses the left side; one at a corner.
-        let points = [[6, 5], [8, -3], [-4, 4]].map(|at| traits.point(&Point2::from_i64(at)));
-        let together = Arrangement::of_curves_and_points(traits.clone(), FlatTorus, [&path], points.clone());
-        let mut after = Arrangement::of_curves(traits, FlatTorus, [&path]);
-        after.insert_points(points);
-        for arrangement in [&together, &after] {
-            assert_eq!(arrangement.check_valid(), []);
-            let counts = arrangement.counts();
-            assert_eq!((counts.vertices, counts.edges, counts.isolated), (3, 2, 1));
-        }
     }
 }

@@ -12,6 +12,10 @@
 //! | [`wrappers`] | traits around traits: they count or trace calls, or carry data along curves |
 //! | [`sweep`] | the algorithm: events from left to right, told to a visitor that may stop it |
 //! | [`overlay`] | all cells of several arrangements cut by one another, with provenance |
+//! | [`Editor`] | an arrangement to which curves and points come and from which they go one by one; location |
+//! | [`edit`] | the primitive changes of an arrangement, and those who watch them: observers, stamps, undo |
+//! | [`zone`] | the cells that a curve meets, in their order |
+//! | [`history`] | arrangements that know which input runs along which edge, and from which inputs can be removed |
 //! | [`Arrangement`] | the cells: [`Arrangement::of_curves`], [`Arrangement::insert_curves`], [`Arrangement::counts`] |
 //! | [`Pieces`] | u-monotone curves and points, for [`Arrangement::of_pieces`]; with curves that are to be cut, [`Arrangement::of_curves_and_points`], [`Arrangement::insert_points`] |
 //! | [`Arrangement::user_view`], [`Arrangement::check_valid`], [`Arrangement::is_isomorphic`] | cells without artificial vertices; violations; comparison |
@@ -139,17 +143,25 @@
 //! ```
 
 mod arrangement;
+pub mod edit;
+mod editor;
+pub mod history;
 mod insert;
 pub mod models;
 pub mod overlay;
 mod queries;
+#[cfg(test)]
+mod random;
 pub mod sweep;
 pub mod topology;
 pub mod traits;
+mod trapezoids;
 pub mod wrappers;
+pub mod zone;
 
 pub use arrangement::{
     Arrangement, CellOrder, Counts, CurveId, Difference, Parts, UserEdgeId, UserView, Violation,
 };
+pub use editor::{Editor, MergedEdges, Renumbering, SplitParts, VertexNeed, VertexNeeded};
 pub use insert::Pieces;
 pub use queries::{CommonEnds, do_any_meet, intersections, locate_all, subcurves};

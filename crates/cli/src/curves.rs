@@ -5,23 +5,13 @@ use crate::console::Console;
 use crate::failure::Failure;
 use crate::input;
 use splitstar::exact::Rational;
-use splitstar::formats::{self, CurveFile, CurvePoint, InputCurve};
+use splitstar::formats::{self, CurveFile};
 use std::collections::BTreeSet;
 
 /// A file of curves, with the name that messages give it.
 pub(crate) struct CurveOperand {
     pub(crate) name: String,
     pub(crate) file: CurveFile,
-}
-
-/// How often the curves of all files together go around a torus at most: a short line may ask for any number of pieces.
-const TURNS: i64 = 1 << 17;
-
-/// What curves lie on.
-pub(crate) enum Ground {
-    Plane,
-    /// The torus of these periods.
-    Torus([Rational; 2]),
 }
 
 impl CurveOperand {
@@ -64,8 +54,8 @@ fn check_start(start: &[u8], file_name: Option<&str>) -> Result<(), formats::Rea
     }
 }
 
-/// Finds out what the curves of all files lie on. The files and the command line must agree.
-pub(crate) fn ground(operands: &[CurveOperand], run: &Run) -> Result<Ground, Failure> {
+/// Finds out what the curves of all files lie on: the torus of these periods, or the plane. The files and the command line must agree.
+pub(crate) fn period(operands: &[CurveOperand], run: &Run) -> Result<Option<[Rational; 2]>, Failure> {
     let shown = |[p, q]: &[Rational; 2]| format!("period {p} {q}");
     let mut known = run.period.as_ref().map(|period| (period, "that of --period"));
     let mut first_name = String::new();
@@ -96,65 +86,12 @@ pub(crate) fn ground(operands: &[CurveOperand], run: &Run) -> Result<Ground, Fai
         }
     }
     match known {
-        Some((period, _)) => {
-            check_torus(operands)?;
-            check_turns(operands, period)?;
-            Ok(Ground::Torus(period.clone()))
-        }
+        Some((period, _)) => Ok(Some(period.clone())),
         None if run.surface == Some(Surface::Torus) => {
             let sentence = "a torus needs its periods; make `period P Q` the first record of the file, or give \
                             --period P,Q";
             Err(Failure::file(&operands[0].name, None, sentence))
         }
-        None => Ok(Ground::Plane),
+        None => Ok(None),
     }
-}
-
-/// A file without `period` may have curves that a torus has not.
-fn check_torus(operands: &[CurveOperand]) -> Result<(), Failure> {
-    for operand in operands {
-        for (place, curve) in operand.file.curves.iter().enumerate() {
-            let what = match curve {
-                InputCurve::Ray(_) => "ray",
-                InputCurve::Line(_) => "line",
-                _ => continue,
-            };
-            let sentence = format!("a {what} has no end on a torus; give a segment, or arrange in the plane");
-            return Err(operand.failure(place, sentence));
-        }
-    }
-    Ok(())
-}
-
-/// A curve that goes around a torus is cut there, into so many pieces. What all of them may be together is limited.
-fn check_turns(operands: &[CurveOperand], period: &[Rational; 2]) -> Result<(), Failure> {
-    let mut left = TURNS;
-    for operand in operands {
-        for (place, curve) in operand.file.curves.iter().enumerate() {
-            let ends: &[CurvePoint] = match curve {
-                InputCurve::Segment(ends) => ends,
-                InputCurve::Polyline(points) => points,
-                _ => continue,
-            };
-            for ends in ends.windows(2) {
-                left =
-                    turns(&ends[0], &ends[1], period).and_then(|turns| left.checked_sub(turns)).unwrap_or(-1);
-                if left < 0 {
-                    let sentence = format!(
-                        "up to here the curves go around the torus more than {TURNS} times, and are cut there; \
-                         give larger periods, or fewer or shorter curves"
-                    );
-                    return Err(operand.failure(place, sentence));
-                }
-            }
-        }
-    }
-    Ok(())
-}
-
-/// How many whole periods there are between two points, in both directions together, if that is a small number.
-fn turns(p: &CurvePoint, q: &CurvePoint, period: &[Rational; 2]) -> Option<i64> {
-    let (p, q) = (p.coordinates(), q.coordinates());
-    let along = |axis: usize| (&q[axis] - &p[axis]).abs().checked_div(&period[axis])?.floor().to_i64();
-    along(0)?.checked_add(along(1)?)
 }

@@ -1,29 +1,16 @@
 //! Nanoseconds per call of predicates and constructions, at several widths, and which tier decided.
 //!
-//! `cargo bench -p splitstar-exact` for the times; with `--features count-tiers` also the tiers (the counters cost time).
+//! `cargo bench -p splitstar-exact --bench predicates` for the times; with `--features count-tiers` also the tiers (the counters cost time).
 
 #![allow(clippy::print_stdout)]
 
+mod common;
+
+use common::{INPUTS, Random, time};
 use exact::predicate::{circle_order, orientation, plane_side, same_direction, side_of_circle};
 use exact::{Integer, Point3, Sign, Vector3};
-use std::hint::black_box;
-use std::time::Instant;
-
-/// So many that the branch predictor does not learn the signs by heart.
-const INPUTS: usize = 4096;
-const PASSES: u32 = 20;
-
-/// splitmix64
-struct Random(u64);
 
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
     /// A value of the given number of bits and any sign.
     fn integer(&mut self, bits: u32) -> Integer {
         let mut value = Integer::ZERO;
@@ -61,19 +48,6 @@ fn cases(bits: u32, degenerate: bool) -> Vec<Case> {
             Case { a, b, c, normal, other, on, p }
         })
         .collect()
-}
-
-/// The least time of a pass, per call.
-fn time<T, R>(inputs: &[T], mut call: impl FnMut(&T) -> R) -> f64 {
-    let mut least = f64::INFINITY;
-    for _ in 0..PASSES {
-        let start = Instant::now();
-        for input in inputs {
-            black_box(call(black_box(input)));
-        }
-        least = least.min(start.elapsed().as_nanos() as f64);
-    }
-    least / inputs.len() as f64
 }
 
 #[cfg(feature = "count-tiers")]

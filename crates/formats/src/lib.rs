@@ -12,6 +12,7 @@
 //! | formats | `off`, `obj`, `stl`, `ply`, `threemf`, `gltf`, `vrml`, `star`, `gzip` | one folder each |
 //! | arrangements | `star` | the native format, kind `arrangement`: [`read_arrangement`], [`write_arrangement`] |
 //! | curves | `curves` | curves of the plane or of a torus, for arrangements: own text, WKT, GeoJSON; [`read_curves`], [`write_curves`] |
+//! | from the ones to the others | `arrange` | [`StarArrangement::of_curves`] |
 //! | doors | `format`, `read`, `write` | which format a model has, and the way there and back |
 //!
 //! [`read`] takes files of models only: curves and arrangements have doors of their own. [`pack_gzip`] packs what any of the
@@ -30,6 +31,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod arrange;
 mod base;
 mod complex;
 mod curves;
@@ -46,6 +48,7 @@ mod threemf;
 mod vrml;
 mod write;
 
+pub use arrange::{CurveError, CurveFault};
 pub use base::error::{Count, Fault, NumberFault, ReadError};
 pub use base::model::{Kind, Model, Object, ReadModel, ReadNote, Shape, Unit};
 pub use base::places::{Place, PlaceList, Places};

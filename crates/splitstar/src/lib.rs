@@ -8,10 +8,11 @@
 //! |---|---|
 //! | [`exact`] | integers, rationals, vectors, points, planes, rotations, predicates |
 //! | [`dcel`] | halfedge connectivity: what is next to what |
-//! | [`arrangement`] | arrangements of curves in the plane and on a torus: traits, sweep, overlay |
+//! | [`arrangement`] | arrangements of curves in the plane and on a torus: traits, sweep, overlay, editing, zones, history |
 //! | [`polytope`] | polytopes and meshes, convex hulls, Minkowski sums |
 //! | [`formats`] | files of models (OFF, OBJ, STL, PLY, 3MF, VRML, glTF, star), of curves (text, WKT, GeoJSON) and of arrangements (star), read and written |
 //! | [`render`] | pictures, as SVG |
+//! | [`graph`] | arrangements and their duals as graphs of `petgraph` |
 //!
 //! Each crate is also one of its own, and the examples in its documentation, and those of `docs/write-your-own-curve.md`, name it so:
 //! `splitstar_arrangement::`, `exact::` and so on. In a program that depends on this crate alone,
@@ -21,7 +22,7 @@
 //! splitstar = { path = "splitstar/crates/splitstar" }
 //! ```
 //!
-//! these are `splitstar::arrangement::`, `splitstar::exact::`, `splitstar::dcel::`, `splitstar::polytope::`, `splitstar::formats::` and `splitstar::render::`.
+//! these are `splitstar::arrangement::`, `splitstar::exact::`, `splitstar::dcel::`, `splitstar::polytope::`, `splitstar::formats::`, `splitstar::render::` and `splitstar::graph::`.
 //!
 //! # A convex hull
 //!
@@ -113,7 +114,7 @@
 // The examples of the README are tests of this crate.
 #![cfg_attr(doctest, doc = include_str!("../../../README.md"))]
 
-pub use {arrangement, dcel, exact, formats, polytope, render};
+pub use {arrangement, dcel, exact, formats, graph, polytope, render};
 
 /// The names that most programs need: `use splitstar::prelude::*`.
 ///
@@ -125,13 +126,14 @@ pub use {arrangement, dcel, exact, formats, polytope, render};
 /// assert!(triple.same_set(&segment.transformed(&Affine3::scaling(&Rational::from(3)))));
 /// ```
 pub mod prelude {
+    pub use arrangement::history::ArrangementWithHistory;
     pub use arrangement::models::polycurve::PolycurveTraits;
     pub use arrangement::models::{
         Linear, LinearTraits, Segment, SegmentTraits, TorusPath, TorusSegmentTraits,
     };
     pub use arrangement::overlay::{Cell, overlay_all};
     pub use arrangement::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
-    pub use arrangement::{Arrangement, Pieces, locate_all};
+    pub use arrangement::{Arrangement, Editor, Pieces, locate_all};
     pub use exact::planar::{Line2, Point2};
     pub use exact::{Affine3, Integer, Plane, Point3, Quaternion, Rational, Sign, Vector3};
     pub use formats::{self, Format, InputCurve, Model, Object, ReadError, Shape, Unit, WriteOptions};

@@ -82,19 +82,28 @@ impl<G: UMonotoneTraits, T: Topology<G>> Overlaps<'_, G, T> {
         self.covers_edge(&self.parts.curves[support as usize], edge)
     }
 
-    /// Tells whether the vertices of an edge lie within the ends of a curve that is known to run along it somewhere.
     fn covers_edge(&self, curve: &G::UMonotoneCurve, edge: EdgeId) -> bool {
-        let [min, max] = self.parts.dcel.ends(edge).map(|v| self.parts.points[v.index()].as_ref());
-        let is_in_order = |p: Option<&G::Point>, q: Option<&G::Point>| match (p, q) {
-            (Some(p), Some(q)) => self.traits.compare_uv(p, q).is_le(),
-            _ => true,
-        };
-        let is_interior = |end| self.topology.end_location(self.traits, curve, end).is_interior();
-        let end = |end| self.traits.end_point(curve, end).filter(|_| is_interior(end));
-        // An open end of the edge is an open end of the curve, too.
-        (min.is_some() || end(CurveEnd::Min).is_none())
-            && (max.is_some() || end(CurveEnd::Max).is_none())
-            && is_in_order(end(CurveEnd::Min), min)
-            && is_in_order(max, end(CurveEnd::Max))
+        let ends = self.parts.dcel.ends(edge).map(|v| self.parts.points[v.index()].as_ref());
+        covers(self.traits, self.topology, curve, ends)
     }
+}
+
+/// Tells whether the ends of an edge lie within those of a curve that is known to run along it somewhere.
+pub(crate) fn covers<G: UMonotoneTraits, T: Topology<G>>(
+    traits: &G,
+    topology: &T,
+    curve: &G::UMonotoneCurve,
+    [min, max]: [Option<&G::Point>; 2],
+) -> bool {
+    let is_in_order = |p: Option<&G::Point>, q: Option<&G::Point>| match (p, q) {
+        (Some(p), Some(q)) => traits.compare_uv(p, q).is_le(),
+        _ => true,
+    };
+    let is_interior = |end| topology.end_location(traits, curve, end).is_interior();
+    let end = |end| traits.end_point(curve, end).filter(|_| is_interior(end));
+    // An open end of the edge is an open end of the curve, too.
+    (min.is_some() || end(CurveEnd::Min).is_none())
+        && (max.is_some() || end(CurveEnd::Max).is_none())
+        && is_in_order(end(CurveEnd::Min), min)
+        && is_in_order(max, end(CurveEnd::Max))
 }

@@ -7,7 +7,7 @@
 //! | making it | `build`, `assemble`, `parts` | cells from a sweep; an arrangement from cells and supports, or from anybody's |
 //! | order | `order` | one order of all cells |
 
-mod around;
+pub(crate) mod around;
 pub(crate) mod assemble;
 pub(crate) mod build;
 mod counts;
@@ -24,6 +24,7 @@ pub use parts::Parts;
 pub use validity::Violation;
 pub use view::{UserEdgeId, UserView};
 
+use crate::edit::Stamp;
 use crate::topology::Topology;
 use crate::traits::{BasicTraits, UMonotoneTraits};
 use dcel::{Dcel, EdgeId, FaceId, HalfedgeId, VertexId};
@@ -62,6 +63,8 @@ pub struct Arrangement<G: BasicTraits, T> {
     pub(crate) curves: Vec<G::UMonotoneCurve>,
     /// For each edge, its curve.
     pub(crate) supports: Vec<u32>,
+    /// Another one after every change.
+    pub(crate) stamp: Stamp,
 }
 
 impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
@@ -76,6 +79,7 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
             is_artificial: built.is_artificial,
             curves: Vec::new(),
             supports: Vec::new(),
+            stamp: Stamp::fresh(),
         }
     }
 
@@ -95,7 +99,8 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
         &self.dcel
     }
 
-    /// Gives the point of a vertex; `None` if it stands for a side of the parameter space.
+    /// Gives the point of a vertex; `None` if it stands for a side of the parameter space. That of a vertex that was removed means
+    /// nothing.
     ///
     /// # Panics
     /// If the arrangement never had the vertex.
@@ -121,19 +126,28 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
         self.is_artificial[v.index()] && self.dcel.degree(v) == 2
     }
 
-    /// The curve of which an edge is a part.
+    /// The curve of which an edge is a part. That of an edge that was removed means nothing.
+    ///
+    /// # Panics
+    /// If the arrangement never had the edge.
     #[inline]
     pub fn support(&self, e: EdgeId) -> CurveId {
         CurveId(self.supports[e.index()])
     }
 
     /// A curve that the arrangement stores.
+    ///
+    /// # Panics
+    /// If there is no such curve.
     #[inline]
     pub fn curve(&self, curve: CurveId) -> &G::UMonotoneCurve {
         &self.curves[curve.index()]
     }
 
     /// The curve of which an edge is a part: [`Arrangement::support`] and [`Arrangement::curve`] in one.
+    ///
+    /// # Panics
+    /// If the arrangement never had the edge.
     #[inline]
     pub fn curve_of(&self, e: EdgeId) -> &G::UMonotoneCurve {
         self.curve(self.support(e))
@@ -145,6 +159,9 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
     }
 
     /// Makes the curve of an edge: the part of its support between its vertices.
+    ///
+    /// # Panics
+    /// If there is no such edge.
     ///
     /// # Complexity
     /// That of cutting a curve twice.

@@ -1,6 +1,7 @@
 //! An arrangement taken apart, and put together again by somebody who knows its cells.
 
 use super::{Arrangement, Violation};
+use crate::edit::Stamp;
 use crate::topology::Topology;
 use crate::traits::{BasicTraits, UMonotoneTraits};
 use dcel::Dcel;
@@ -63,7 +64,7 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
     /// Puts an arrangement together from parts that are known to fit.
     pub(crate) fn of_valid_parts(traits: G, topology: T, parts: Parts<G>) -> Self {
         let Parts { dcel, points, is_artificial, curves, supports } = parts;
-        Self { traits, topology, dcel, points, is_artificial, curves, supports }
+        Self { traits, topology, dcel, points, is_artificial, curves, supports, stamp: Stamp::fresh() }
     }
 
     /// Replaces all cells by others.
@@ -74,6 +75,7 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
         self.is_artificial = is_artificial;
         self.curves = curves;
         self.supports = supports;
+        self.stamp = Stamp::fresh();
     }
 
     /// Takes the arrangement apart.

@@ -2,10 +2,10 @@
 //!
 //! | traits | point | u-monotone curve | curve | refinements |
 //! |---|---|---|---|---|
-//! | [`MinimalSegmentTraits`] | [`Point2`] | [`MinimalSegment`] | [`MinimalSegment`] | bounded |
+//! | [`MinimalSegmentTraits`] | [`Point2`] | [`MinimalSegment`] | [`MinimalSegment`] | bounded; closed left, right, bottom, top |
 
 use super::straight::{Straight, straight_traits};
-use crate::traits::{BoundedTraits, CurveEnd};
+use crate::traits::{BoundedTraits, ClosedBottomTopTraits, ClosedLeftRightTraits, CurveEnd};
 use exact::planar::{Line2, Point2, compare_xy};
 use std::borrow::Borrow;
 use std::cmp::Ordering;
@@ -78,3 +78,5 @@ pub struct MinimalSegmentTraits;
 straight_traits!(MinimalSegmentTraits, MinimalSegment);
 
 impl BoundedTraits for MinimalSegmentTraits {}
+impl ClosedLeftRightTraits for MinimalSegmentTraits {}
+impl ClosedBottomTopTraits for MinimalSegmentTraits {}

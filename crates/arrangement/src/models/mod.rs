@@ -7,8 +7,8 @@
 //!
 //! | model | curves | refinements | meet once |
 //! |---|---|---|---|
-//! | [`SegmentTraits`] | [`Segment`]: the line and both ends | bounded | yes |
-//! | [`MinimalSegmentTraits`] | [`MinimalSegment`]: both ends only | bounded | yes |
+//! | [`SegmentTraits`] | [`Segment`]: the line and both ends | bounded; closed left, right, bottom, top | yes |
+//! | [`MinimalSegmentTraits`] | [`MinimalSegment`]: both ends only | bounded; closed left, right, bottom, top | yes |
 //! | [`LinearTraits`] | [`Linear`]: segments, rays and lines | open left, right, bottom, top | yes |
 //! | [`TorusSegmentTraits`] | [`TorusPath`], cut into [`TorusSegment`]s | identified left to right, bottom to top | yes |
 //! | [`PolycurveTraits`](polycurve::PolycurveTraits) | chains of the curves of another model, polylines among them | those of the other model | no |

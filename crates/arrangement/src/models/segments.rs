@@ -2,10 +2,10 @@
 //!
 //! | traits | point | u-monotone curve | curve | refinements |
 //! |---|---|---|---|---|
-//! | [`SegmentTraits`] | [`Point2`] | [`Segment`] | [`Segment`] | bounded |
+//! | [`SegmentTraits`] | [`Point2`] | [`Segment`] | [`Segment`] | bounded; closed left, right, bottom, top |
 
 use super::straight::{Straight, straight_traits};
-use crate::traits::{BoundedTraits, CurveEnd};
+use crate::traits::{BoundedTraits, ClosedBottomTopTraits, ClosedLeftRightTraits, CurveEnd};
 use exact::planar::{Line2, Point2, compare_xy};
 use std::borrow::Borrow;
 use std::cmp::Ordering;
@@ -125,3 +125,5 @@ pub struct SegmentTraits;
 straight_traits!(SegmentTraits, Segment);
 
 impl BoundedTraits for SegmentTraits {}
+impl ClosedLeftRightTraits for SegmentTraits {}
+impl ClosedBottomTopTraits for SegmentTraits {}

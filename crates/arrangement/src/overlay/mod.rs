@@ -12,10 +12,11 @@ use crate::arrangement::assemble::assemble;
 use crate::arrangement::build::Builder;
 use crate::arrangement::{Arrangement, Parts};
 use crate::insert::Pieces;
-use crate::sweep::{SweepInput, sweep};
+use crate::sweep::{Progress, SweepInput, Watched, sweep};
 use crate::topology::Topology;
 use crate::traits::{CurveEnd, UMonotoneTraits};
 use dcel::{EdgeId, FaceId, VertexId};
+use std::ops::ControlFlow;
 use visitor::{Origins, OverlayVisitor};
 
 /// A cell of an arrangement.
@@ -86,10 +87,25 @@ impl Provenance {
 pub fn overlay_all<G: UMonotoneTraits + Clone, T: Topology<G>>(
     operands: &[&Arrangement<G, T>],
 ) -> (Arrangement<G, T>, Provenance) {
+    overlay_all_with(operands, |_| ControlFlow::Continue(())).expect("nobody stops the sweep")
+}
+
+/// Overlays any number of arrangements, as [`overlay_all`] does; now and then `watch` is told how far the sweep has come, and may stop
+/// it. Then there is no overlay.
+///
+/// # Panics
+/// If there is no operand.
+///
+/// # Complexity
+/// That of [`overlay_all`]. `watch` is called once in about a thousand events.
+pub fn overlay_all_with<G: UMonotoneTraits + Clone, T: Topology<G>>(
+    operands: &[&Arrangement<G, T>],
+    watch: impl FnMut(Progress) -> ControlFlow<()>,
+) -> Option<(Arrangement<G, T>, Provenance)> {
     let (first, _) = operands.split_first().expect("an overlay has operands");
     let (traits, topology) = (first.traits(), first.topology());
-    let (parts, provenance) = overlay_with_pieces(traits, topology, operands, Pieces::new());
-    (Arrangement::of_valid_parts(traits.clone(), topology.clone(), parts), provenance)
+    let (parts, provenance) = overlay_with_pieces(traits, topology, operands, Pieces::new(), watch)?;
+    Some((Arrangement::of_valid_parts(traits.clone(), topology.clone(), parts), provenance))
 }
 
 /// Overlays two arrangements, and calls one of ten functions for each cell of the result.
@@ -104,18 +120,33 @@ pub fn overlay<G: UMonotoneTraits + Clone, T: Topology<G>>(
     blue: &Arrangement<G, T>,
     traits: &mut impl OverlayTraits,
 ) -> Arrangement<G, T> {
-    let (arrangement, provenance) = overlay_all(&[red, blue]);
-    traits::call(&arrangement, &provenance, traits);
-    arrangement
+    overlay_with(red, blue, traits, |_| ControlFlow::Continue(())).expect("nobody stops the sweep")
 }
 
-/// Overlays arrangements and free curves.
+/// Overlays two arrangements, as [`overlay`] does; now and then `watch` is told how far the sweep has come, and may stop it. Then there
+/// is no overlay, and no function was called.
+///
+/// # Complexity
+/// That of [`overlay_all`]. `watch` is called once in about a thousand events.
+pub fn overlay_with<G: UMonotoneTraits + Clone, T: Topology<G>>(
+    red: &Arrangement<G, T>,
+    blue: &Arrangement<G, T>,
+    traits: &mut impl OverlayTraits,
+    watch: impl FnMut(Progress) -> ControlFlow<()>,
+) -> Option<Arrangement<G, T>> {
+    let (arrangement, provenance) = overlay_all_with(&[red, blue], watch)?;
+    traits::call(&arrangement, &provenance, traits);
+    Some(arrangement)
+}
+
+/// Overlays arrangements and free curves; `None` if `watch` stops it.
 pub(crate) fn overlay_with_pieces<G: UMonotoneTraits, T: Topology<G>>(
     traits: &G,
     topology: &T,
     operands: &[&Arrangement<G, T>],
     pieces: Pieces<G>,
-) -> (Parts<G>, Provenance) {
+    watch: impl FnMut(Progress) -> ControlFlow<()>,
+) -> Option<(Parts<G>, Provenance)> {
     let Pieces { curves, is_artificial, points } = pieces;
     let mut curve_supports: Vec<u32> = Vec::new();
     let mut first_support = 0;
@@ -139,9 +170,12 @@ pub(crate) fn overlay_with_pieces<G: UMonotoneTraits, T: Topology<G>>(
         flags.resize(input.site_count(), true);
         let origins = Origins::of(numbers);
         let builder = Builder::new(topology, &flags);
-        let mut visitor = OverlayVisitor::new(builder, operands, &origins, &input);
-        let _ = sweep(traits, topology, &input, &mut visitor);
-        visitor.finish(topology)
+        let visitor = OverlayVisitor::new(builder, operands, &origins, &input);
+        let mut watched = Watched::new(visitor, input.site_count(), watch);
+        if sweep(traits, topology, &input, &mut watched).is_break() {
+            return None;
+        }
+        watched.into_inner().finish(topology)
     };
     let swept = curve_supports.len() as u32;
     let support_of = |curve: u32| match curve_supports.get(curve as usize) {
@@ -150,5 +184,5 @@ pub(crate) fn overlay_with_pieces<G: UMonotoneTraits, T: Topology<G>>(
     };
     let supports =
         operands.iter().flat_map(|operand| operand.curves().iter().cloned()).chain(curves).collect();
-    (assemble(traits, topology, built, supports, support_of), provenance)
+    Some((assemble(traits, topology, built, supports, support_of), provenance))
 }

@@ -3,7 +3,7 @@
 use crate::arrangement::Arrangement;
 use crate::overlay::Cell;
 use crate::sweep::{Around, CellNumbers, Event, SweepInput, SweepVisitor, sweep};
-use crate::topology::{Site, Topology};
+use crate::topology::Topology;
 use crate::traits::{Along, BasicTraits, UMonotoneTraits};
 use dcel::{EdgeId, FaceId};
 use std::ops::ControlFlow;
@@ -38,13 +38,8 @@ pub fn locate_all<G: UMonotoneTraits, T: Topology<G>>(
     points: &[G::Point],
 ) -> Vec<Cell> {
     let (traits, topology) = (arrangement.traits(), arrangement.topology());
-    let mut input = SweepInput::empty();
-    let numbers = input.push_arrangement(arrangement, 0);
-    let first_query = input.site_count();
-    for point in points {
-        input.push_site(Site::of_point(topology, traits, point));
-    }
-    input.mirror(topology);
+    let (input, numbers) = SweepInput::of_arrangement(arrangement, points);
+    let first_query = numbers.vertices.len();
     let face = arrangement.corner_face();
     let mut locator = Locator {
         arrangement,

@@ -6,9 +6,9 @@ use crate::topology::{Site, SiteAt, Topology};
 use crate::traits::{Along, CurveEnd, Location, UMonotoneTraits};
 use dcel::{EdgeId, HalfedgeId, VertexId};
 
-/// Which cells of an arrangement the sites and curves of an input are.
+/// Which cells of an arrangement the sites and curves of an input are: see [`SweepInput::of_arrangement`].
 #[derive(Clone, Debug, Default)]
-pub(crate) struct CellNumbers {
+pub struct CellNumbers {
     /// The first site, and the vertex of each site from there on.
     pub(crate) first_site: usize,
     pub(crate) vertices: Vec<VertexId>,
@@ -17,7 +17,81 @@ pub(crate) struct CellNumbers {
     pub(crate) edges: Vec<EdgeId>,
 }
 
+impl CellNumbers {
+    /// The vertex of a site; `None` if the site is none of the arrangement, but of a point besides. A vertex may have several sites.
+    pub fn vertex(&self, site: usize) -> Option<VertexId> {
+        self.vertices.get(site.checked_sub(self.first_site)?).copied()
+    }
+
+    /// The edge of a curve; `None` if the curve is none of the arrangement.
+    pub fn edge(&self, curve: usize) -> Option<EdgeId> {
+        self.edges.get(curve.checked_sub(self.first_curve)?).copied()
+    }
+}
+
 impl<'a, G: UMonotoneTraits> SweepInput<'a, G> {
+    /// The vertices and edges of an arrangement, and points besides; tells which sites and curves are which cells.
+    ///
+    /// The curves are the edges, which are known not to meet: a group of their own. The sites of the points are the last ones but for images
+    /// on identified sides, in the order of the points; [`SweepInput::original_site`] leads from an image to the site that it is one of.
+    ///
+    /// # Panics
+    /// With 2^32 sites or more.
+    ///
+    /// # Examples
+    /// The edges over a point, from bottom to top:
+    ///
+    /// ```
+    /// use dcel::EdgeId;
+    /// use exact::planar::Point2;
+    /// use splitstar_arrangement::models::{Segment, SegmentTraits};
+    /// use splitstar_arrangement::sweep::{Around, CellNumbers, Event, SweepInput, SweepVisitor, sweep};
+    /// use splitstar_arrangement::{Arrangement, topology::BoundedPlane};
+    /// use std::ops::ControlFlow;
+    ///
+    /// struct Below<'n> {
+    ///     numbers: &'n CellNumbers,
+    ///     edge: Option<EdgeId>,
+    /// }
+    ///
+    /// impl SweepVisitor<SegmentTraits> for Below<'_> {
+    ///     type Tag = Option<EdgeId>;
+    ///
+    ///     fn event(&mut self, event: &Event<'_, SegmentTraits>, around: &mut Around<'_, Self::Tag>) -> ControlFlow<()> {
+    ///         if event.input_sites.iter().all(|&site| self.numbers.vertex(site as usize).is_none()) {
+    ///             self.edge = around.below.flatten();
+    ///             return ControlFlow::Break(());
+    ///         }
+    ///         for strand in around.right.iter_mut() {
+    ///             strand.tag = self.numbers.edge(strand.curve());
+    ///         }
+    ///         ControlFlow::Continue(())
+    ///     }
+    /// }
+    ///
+    /// let segments = [[[0, 0], [4, 0]], [[0, 2], [4, 2]]].map(|ends| Segment::from_i64(ends).expect("the ends are different"));
+    /// let arrangement = Arrangement::of_curves(SegmentTraits, BoundedPlane, &segments);
+    /// let point = Point2::from_i64([2, 1]);
+    /// let (input, numbers) = SweepInput::of_arrangement(&arrangement, [&point]);
+    /// let mut below = Below { numbers: &numbers, edge: None };
+    /// assert!(sweep(&SegmentTraits, &BoundedPlane, &input, &mut below).is_break());
+    /// let edge = below.edge.expect("there is one");
+    /// assert_eq!(arrangement.curve_of(edge).min(), &Point2::from_i64([0, 0]));
+    /// ```
+    pub fn of_arrangement<T: Topology<G>>(
+        arrangement: &'a Arrangement<G, T>,
+        points: impl IntoIterator<Item = &'a G::Point>,
+    ) -> (Self, CellNumbers) {
+        let (traits, topology) = (arrangement.traits(), arrangement.topology());
+        let mut input = Self::empty();
+        let numbers = input.push_arrangement(arrangement, 0);
+        for point in points {
+            input.push_site(Site::of_point(topology, traits, point));
+        }
+        input.mirror(topology);
+        (input, numbers)
+    }
+
     /// Appends the vertices and edges of an arrangement. Their interiors are disjoint: so they are one group.
     pub(crate) fn push_arrangement<T: Topology<G>>(
         &mut self,

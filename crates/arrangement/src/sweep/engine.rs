@@ -78,7 +78,11 @@ pub(super) struct Engine<'a, 'i, G: UMonotoneTraits, T, Tag> {
     passing: Vec<(u32, u32)>,
     /// For each curve, another one with which it overlaps, and the end of that is known: it waits in the queue, or one of them ends
     /// there. Empty if overlaps only end where curves do.
+    ///
+    /// Such pairs connect all curves of a strand. So as long as neither a curve of it ends nor such a pair parts, it stays together.
     pub(super) noted: Vec<u32>,
+    /// For the first curve of each strand, the last event at which one of its curves ended or a pair parted. Empty as `noted` is.
+    pub(super) parted: Vec<u32>,
     /// The number of the current event.
     pub(super) now: u32,
 }
@@ -122,6 +126,7 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
             queue: Queue::new(),
             passing: Vec::new(),
             noted: vec![NIL; if G::MEET_ONCE { 0 } else { input.curves.len() }],
+            parted: vec![NIL; if G::MEET_ONCE { 0 } else { input.curves.len() }],
             now: 0,
         }
     }
@@ -222,6 +227,10 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
     fn mark_stop(&mut self, place: usize, mut hit: u32) -> u32 {
         let Stop { first_end: mut ended, mut passing, .. } = self.stops[place];
         while ended != NIL {
+            if !G::MEET_ONCE {
+                let leader = self.leader(ended);
+                self.parted[leader as usize] = self.now;
+            }
             hit = self.mark_curve(ended, hit);
             ended = self.ways[ended as usize].next_end;
         }
@@ -247,6 +256,12 @@ impl<'a, 'i, G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'a,
     /// Two curves met: what was known of their overlap may be over.
     #[inline]
     fn mark_met(&mut self, curves: [u32; 2], mut hit: u32) -> u32 {
+        if !G::MEET_ONCE {
+            let [leader, other] = curves.map(|curve| self.leader(curve));
+            if leader == other {
+                self.parted[leader as usize] = self.now;
+            }
+        }
         for curve in curves {
             if !G::MEET_ONCE {
                 self.noted[curve as usize] = NIL;

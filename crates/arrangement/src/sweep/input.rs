@@ -75,7 +75,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
     }
 
     /// No site and no curve.
-    pub fn empty() -> Self {
+    pub(crate) fn empty() -> Self {
         Self {
             sites: Vec::new(),
             curves: Vec::new(),
@@ -121,7 +121,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
 
     /// The number of the site of which this one is an image on another side; its own number if it is none.
     #[inline]
-    pub(crate) fn original_site(&self, site: usize) -> usize {
+    pub fn original_site(&self, site: usize) -> usize {
         let originals = self.sites.len() - self.mirrored_from.len();
         if site < originals { site } else { self.mirrored_from[site - originals] as usize }
     }

@@ -9,7 +9,8 @@ use std::ops::Range;
 
 impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, T, Tag> {
     /// Collects the strands through the event, given the node below it or one through it, and the curves of these strands that do
-    /// not end at one of the stops `places`. Gives the nodes next below and next above.
+    /// not end at one of the stops `places`; of a strand that stays together, the first one. Gives the nodes next below and next
+    /// above.
     pub(super) fn collect_left(
         &mut self,
         place: Result<u32, u32>,
@@ -53,9 +54,13 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
             curves
                 .extend(nodes.iter().map(|&node| self.status.strand(node).head).filter(|&head| head != NIL));
         } else {
-            for strand in left.iter() {
-                *is_dissolved |= self.links[strand.head as usize].next != NIL;
-                self.dissolve(strand.head, places.end as u32, curves);
+            for Strand { head, .. } in left.iter() {
+                if self.parted[*head as usize] == self.now {
+                    *is_dissolved |= self.links[*head as usize].next != NIL;
+                    self.dissolve(*head, places.end as u32, curves);
+                } else {
+                    curves.push(*head);
+                }
             }
         }
         (self.status.prev(first), node)

@@ -4,7 +4,7 @@ use super::engine::{Buffers, Engine};
 use super::status::NIL;
 use super::visitor::{Link, Strand};
 use crate::topology::{Site, Topology};
-use crate::traits::{CurveEnd, Intersection, Multiplicity, UMonotoneTraits};
+use crate::traits::{Multiplicity, UMonotoneTraits};
 use std::cmp::Ordering;
 use std::ops::Range;
 
@@ -85,8 +85,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
 
     /// Two curves that overlap may part before either ends: that is an event.
     fn note_end_of_overlap(&mut self, a: u32, b: u32, site: &Site<'_, G>) {
-        let mut common = Vec::new();
-        self.traits.intersect(self.ways[a as usize].curve, self.ways[b as usize].curve, &mut common);
+        let [curve_a, curve_b] = [a, b].map(|curve| self.ways[curve as usize].curve);
         let is_ahead = |point: &G::Point| {
             // On a side curves end, and that is a site already.
             let meeting = Site::of_point(self.topology, self.traits, point);
@@ -97,13 +96,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
                     self.topology.compare_sites(self.traits, &meeting, end) == Ordering::Less
                 })
         };
-        let end = common.iter().find_map(|intersection| match intersection {
-            Intersection::Overlap(curve) => {
-                self.traits.end_point(curve, CurveEnd::Max).filter(|point| is_ahead(point))
-            }
-            Intersection::Point(..) => None,
-        });
-        if let Some(point) = end.cloned() {
+        let end = self.traits.end_of_overlap(curve_a, curve_b, site.point());
+        if let Some(point) = end.filter(is_ahead) {
             self.push_meeting(point, [a, b], Multiplicity::Unknown);
         }
     }

@@ -55,8 +55,8 @@ pub trait Topology<G: BasicTraits>: Clone + Debug + Send + Sync {
     /// Tells which vertex without a point stands for each side, left, right, bottom and top; `None` for a side whose points are
     /// ordinary or identified. Such vertices are numbered from 0 in this order.
     ///
-    /// A contracted side is a vertex. Open sides that meet in corners are closed by one vertex together; where left and right are
-    /// identified, or bottom and top, each open side is closed by its own.
+    /// A contracted side is a vertex; it has no point, even if the traits give one for ends there. Open sides that meet in corners are
+    /// closed by one vertex together; where left and right are identified, or bottom and top, each open side is closed by its own.
     fn side_vertices(&self) -> [Option<u32>; 4] {
         let sides = self.sides();
         let is_one_infinity = !sides.is_u_identified() && !sides.is_v_identified();

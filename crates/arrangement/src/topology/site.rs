@@ -8,7 +8,7 @@ use crate::traits::{BasicTraits, CurveEnd, Location};
 pub enum SiteAt<'a, G: BasicTraits> {
     /// A point.
     Point(&'a G::Point),
-    /// The end of a curve on an open side.
+    /// The end of a curve on an open or contracted side: how curves come there says in which order they do.
     End(&'a G::UMonotoneCurve, CurveEnd),
 }
 
@@ -49,18 +49,21 @@ impl<'a, G: BasicTraits> Site<'a, G> {
         Self { location: topology.point_location(traits, point), at: SiteAt::Point(point) }
     }
 
-    /// The end of a curve.
+    /// The end of a curve. On a contracted side it is no point here, even if the traits have one for the side.
     pub fn of_end<T: Topology<G>>(
         topology: &T,
         traits: &G,
         curve: &'a G::UMonotoneCurve,
         end: CurveEnd,
     ) -> Self {
+        let location = topology.end_location(traits, curve, end);
         let at = match traits.end_point(curve, end) {
-            Some(point) => SiteAt::Point(point),
-            None => SiteAt::End(curve, end),
+            Some(point) if location.is_interior() || !topology.sides().is_contracted(location) => {
+                SiteAt::Point(point)
+            }
+            _ => SiteAt::End(curve, end),
         };
-        Self { location: topology.end_location(traits, curve, end), at }
+        Self { location, at }
     }
 
     /// The point, if there is one.

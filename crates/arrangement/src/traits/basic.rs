@@ -107,8 +107,9 @@ pub trait BasicTraits: Send + Sync {
     /// common. A vertical curve is below all others.
     ///
     /// A model may leave this out, if no two of its curves are unbounded to the left and none ends on an identified or contracted
-    /// side: only the checks of validity and the user's own algorithms ask it. The provided version is for curves that do not meet
-    /// to the left of `p` but at their ends, as edges of an arrangement do not, and compares at the greater of their `Min` ends.
+    /// side: the sweep does not ask it, but checks of validity, comparisons, local edits and the user's own algorithms do. The
+    /// provided version is for curves that do not meet to the left of `p` but at their ends, as edges of an arrangement do not, and
+    /// compares at the greater of their `Min` ends.
     ///
     /// # References
     /// Thesis, section 2.5, "Compare y at x left", and 2.5.1.

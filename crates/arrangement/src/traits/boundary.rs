@@ -52,6 +52,27 @@ pub trait NearBottomTopTraits: BoundaryTraits {
     ) -> Ordering;
 }
 
+/// Curves that may reach a closed left or right side: one whose points are points of the surface like all others.
+///
+/// Laws:
+/// 1. What lies on the side has coordinates, and every predicate answers for it as for what is in the interior. So the side comes first,
+///    or last, in the order of points.
+/// 2. A curve along the side is a vertical curve like others, and a curve that ends on the side has a point there.
+///
+/// A topology has nothing to ask about a closed side, and must not tell a sweep of it: where it says what is located where, it says
+/// [`Inside`](crate::traits::Along::Inside) along this axis. Beyond the side there is one face more, into which no curve runs, as if the
+/// rim were filled with a disc. It is the face next to the side, unless curves run along all of it.
+///
+/// # References
+/// Thesis, section 2.5, closed boundaries.
+pub trait ClosedLeftRightTraits: BasicTraits {}
+
+/// Curves that may reach a closed bottom or top side: one whose points are points of the surface like all others.
+///
+/// What [`ClosedLeftRightTraits`] says of the left and right side holds here along the other axis; a curve along the side is not
+/// vertical.
+pub trait ClosedBottomTopTraits: BasicTraits {}
+
 /// Curves that may be unbounded to the left or right.
 pub trait OpenLeftRightTraits: NearLeftRightTraits {}
 

@@ -91,6 +91,17 @@ impl Sides {
     /// Both pairs of opposite sides identified: a torus.
     pub const TORUS: Self = Self { u: [SideKind::Identified; 2], v: [SideKind::Identified; 2] };
 
+    /// Tells whether a place is on a side that is one point.
+    #[inline]
+    pub fn is_contracted(&self, location: Location) -> bool {
+        let is_on = |along, kinds: [SideKind; 2]| match along {
+            Along::Low => kinds[0] == SideKind::Contracted,
+            Along::Inside => false,
+            Along::High => kinds[1] == SideKind::Contracted,
+        };
+        is_on(location.u, self.u) || is_on(location.v, self.v)
+    }
+
     /// Tells whether the left side is glued to the right one.
     #[inline]
     pub fn is_u_identified(&self) -> bool {

@@ -130,6 +130,32 @@ pub trait UMonotoneTraits: BasicTraits {
         Meeting::Never
     }
 
+    /// Finds where two curves that run together to the right of a point `p` of both cease to: the greater end of their common piece
+    /// there. `None`, or a point on the side, if that end is on a side of the parameter space, where both curves end.
+    ///
+    /// Without `p`, the common piece begins on an open or contracted side.
+    ///
+    /// Law: the point is greater than `p`.
+    ///
+    /// The sweep asks it if curves may part before one of them ends, that is, if they do not [meet once](BasicTraits::MEET_ONCE).
+    /// The provided version asks [`UMonotoneTraits::intersect`] and looks for the first common piece that ends beyond `p`.
+    fn end_of_overlap(
+        &self,
+        a: &Self::UMonotoneCurve,
+        b: &Self::UMonotoneCurve,
+        p: Option<&Self::Point>,
+    ) -> Option<Self::Point> {
+        let mut common = Vec::new();
+        self.intersect(a, b, &mut common);
+        let is_beyond = |end: &Self::Point| p.is_none_or(|p| self.compare_uv(p, end).is_lt());
+        common.into_iter().find_map(|intersection| match intersection {
+            Intersection::Overlap(piece) => {
+                self.end_point(&piece, CurveEnd::Max).filter(|end| is_beyond(end)).cloned()
+            }
+            Intersection::Point(..) => None,
+        })
+    }
+
     /// Cuts from a curve the part between two of its points; `None` keeps that end.
     ///
     /// Degenerate: a point that is the end already cuts nothing.

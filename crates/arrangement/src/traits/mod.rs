@@ -10,6 +10,7 @@
 //! | [`DirectionalTraits`] | source and target |
 //! | [`ApproxTraits`] | floats, for pictures |
 //! | [`BoundedTraits`] | nothing: a promise that curves have two end points in the interior |
+//! | [`ClosedLeftRightTraits`], [`ClosedBottomTopTraits`] | nothing: a promise that points on closed sides are points like others |
 //! | [`BoundaryTraits`] | ends on sides of the parameter space; refined by kind and axis of the side |
 
 mod basic;
@@ -19,9 +20,9 @@ mod meeting;
 
 pub use basic::BasicTraits;
 pub use boundary::{
-    BoundaryTraits, BoundedTraits, ContractedBottomTopTraits, ContractedLeftRightTraits,
-    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, NearBottomTopTraits, NearLeftRightTraits,
-    OpenBottomTopTraits, OpenLeftRightTraits,
+    BoundaryTraits, BoundedTraits, ClosedBottomTopTraits, ClosedLeftRightTraits, ContractedBottomTopTraits,
+    ContractedLeftRightTraits, IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, NearBottomTopTraits,
+    NearLeftRightTraits, OpenBottomTopTraits, OpenLeftRightTraits,
 };
 pub use location::{Along, CurveEnd, Location, SideKind, Sides};
 pub use meeting::{

@@ -3,10 +3,11 @@
 use super::forward::forward_traits;
 use crate::models::polycurve::PieceTraits;
 use crate::traits::{
-    ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, BoundedTraits, ContractedBottomTopTraits,
-    ContractedLeftRightTraits, CurveEnd, DirectionalTraits, IdentifiedBottomTopTraits,
-    IdentifiedLeftRightTraits, Intersection, Location, Meeting, NearBottomTopTraits, NearLeftRightTraits,
-    OpenBottomTopTraits, OpenLeftRightTraits, Piece, UMonotoneTraits, Window,
+    ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, BoundedTraits, ClosedBottomTopTraits,
+    ClosedLeftRightTraits, ContractedBottomTopTraits, ContractedLeftRightTraits, CurveEnd, DirectionalTraits,
+    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, Location, Meeting,
+    NearBottomTopTraits, NearLeftRightTraits, OpenBottomTopTraits, OpenLeftRightTraits, Piece,
+    UMonotoneTraits, Window,
 };
 use std::cmp::Ordering;
 use std::fmt::Debug;
@@ -202,6 +203,16 @@ where
         window: Window<'_, Self::Point>,
     ) -> Meeting<Self::Point> {
         self.traits.next_meeting(&below.curve, &above.curve, window)
+    }
+
+    #[inline]
+    fn end_of_overlap(
+        &self,
+        a: &Self::UMonotoneCurve,
+        b: &Self::UMonotoneCurve,
+        p: Option<&Self::Point>,
+    ) -> Option<Self::Point> {
+        self.traits.end_of_overlap(&a.curve, &b.curve, p)
     }
 
     fn trim(

@@ -175,6 +175,8 @@ macro_rules! forward_traits {
         }
 
         impl<G: BoundedTraits, $($param)*> BoundedTraits for $wrapper {}
+        impl<G: ClosedLeftRightTraits, $($param)*> ClosedLeftRightTraits for $wrapper {}
+        impl<G: ClosedBottomTopTraits, $($param)*> ClosedBottomTopTraits for $wrapper {}
         impl<G: OpenLeftRightTraits, $($param)*> OpenLeftRightTraits for $wrapper {}
         impl<G: OpenBottomTopTraits, $($param)*> OpenBottomTopTraits for $wrapper {}
         impl<G: ContractedLeftRightTraits, $($param)*> ContractedLeftRightTraits for $wrapper {}

@@ -45,6 +45,7 @@ methods! {
     Merge merge,
     IsMergeable is_mergeable,
     NextMeeting next_meeting,
+    EndOfOverlap end_of_overlap,
     Trim trim,
     MakeUMonotone make_u_monotone,
     IsDirectedRight is_directed_right,

@@ -4,10 +4,11 @@ use super::Method;
 use super::forward::forward_traits;
 use crate::models::polycurve::{ConnectTraits, PieceTraits};
 use crate::traits::{
-    ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, BoundedTraits, ContractedBottomTopTraits,
-    ContractedLeftRightTraits, CurveEnd, DirectionalTraits, IdentifiedBottomTopTraits,
-    IdentifiedLeftRightTraits, Intersection, Location, Meeting, NearBottomTopTraits, NearLeftRightTraits,
-    OpenBottomTopTraits, OpenLeftRightTraits, Piece, UMonotoneTraits, Window,
+    ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, BoundedTraits, ClosedBottomTopTraits,
+    ClosedLeftRightTraits, ContractedBottomTopTraits, ContractedLeftRightTraits, CurveEnd, DirectionalTraits,
+    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, Location, Meeting,
+    NearBottomTopTraits, NearLeftRightTraits, OpenBottomTopTraits, OpenLeftRightTraits, Piece,
+    UMonotoneTraits, Window,
 };
 use std::cmp::Ordering;
 use std::fmt::{self, Debug};
@@ -114,6 +115,16 @@ impl<G: UMonotoneTraits, W: Watch> UMonotoneTraits for WatchedTraits<G, W> {
         window: Window<'_, Self::Point>,
     ) -> Meeting<Self::Point> {
         watched!(self, NextMeeting, next_meeting(curve below, curve above, plain window))
+    }
+
+    #[inline]
+    fn end_of_overlap(
+        &self,
+        a: &Self::UMonotoneCurve,
+        b: &Self::UMonotoneCurve,
+        p: Option<&Self::Point>,
+    ) -> Option<Self::Point> {
+        watched!(self, EndOfOverlap, end_of_overlap(curve a, curve b, plain p))
     }
 
     fn trim(

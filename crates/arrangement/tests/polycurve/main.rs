@@ -7,6 +7,7 @@ mod rational_segments;
 
 mod laws;
 mod models;
+mod overlaps;
 mod tables;
 mod torus;
 

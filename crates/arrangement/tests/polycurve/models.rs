@@ -84,15 +84,49 @@ fn chains_may_be_unbounded() {
     assert_eq!(drawn.len(), 3, "joints are drawn once: {drawn:?}");
 }
 
+/// The line has no end with which the joint on its left could be compared.
+#[test]
+fn a_vertical_line_is_not_over_before_joints_on_its_left() {
+    let traits = PolycurveTraits::new(LinearTraits);
+    let upright = traits.make_polycurve([Linear::line(&p(5, 0), &p(5, 6)).unwrap()]).unwrap();
+    let roof = traits.make_polyline([p(0, 3), p(2, 5), p(6, 1)]).unwrap();
+    for curves in [[&upright, &roof], [&roof, &upright]] {
+        let arrangement = Arrangement::of_curves(traits, UnboundedPlane, curves);
+        assert_eq!(arrangement.check_valid(), []);
+        assert!(arrangement.vertices().any(|v| arrangement.point(v) == Some(&p(5, 2))), "the crossing");
+        // Both ends of the roof, and the crossing.
+        let counts = arrangement.counts();
+        assert_eq!([counts.vertices, counts.edges, counts.faces], [3, 4, 2]);
+    }
+}
+
+/// A start in the middle of a side, or at a corner that would be none, was an artificial vertex more than other starts give.
+#[test]
+fn where_a_closed_polyline_begins_does_not_show() {
+    let corners = [[0, 0], [4, 0], [8, 0], [9, 3], [8, 6], [4, 7], [0, 6], [0, 3]];
+    let traits = PolycurveTraits::new(LinearTraits);
+    let stored = (0..corners.len()).map(|start| {
+        let mut corners = corners;
+        corners.rotate_left(start);
+        let polygon = traits.make_polygon(corners.map(|[x, y]| p(x, y))).unwrap();
+        assert!(polygon.is_closed());
+        let arrangement = Arrangement::of_curves(traits, UnboundedPlane, [&polygon]);
+        assert_eq!(arrangement.check_valid(), []);
+        arrangement.counts_with_splits()
+    });
+    // Both ends of the vertical side, and the turn at (9, 3).
+    assert!(stored.into_iter().all(|counts| [counts.vertices, counts.edges, counts.faces] == [3, 3, 2]));
+}
+
 #[test]
 fn chains_on_a_torus_are_cut_at_its_sides() {
     let pieces = TorusSegmentTraits::new([10.into(), 10.into()]).unwrap();
     let traits = PolycurveTraits::new(pieces.clone());
     let by = |u: i64, v: i64| [Rational::from(u), Rational::from(v)];
     // Once round along u, with joints inside and one on the left side.
-    let zigzag = [(p(2, 5), by(3, 2)), (p(5, 7), by(5, -4)), (p(0, 3), by(2, 2))]
+    let paths = [(p(2, 5), by(3, 2)), (p(5, 7), by(5, -4)), (p(0, 3), by(2, 2))]
         .map(|(start, displacement)| pieces.path(&start, &displacement).unwrap());
-    let zigzag = traits.make_polycurve_of(&zigzag).unwrap();
+    let zigzag = traits.make_polycurve_of(&paths).unwrap();
     assert!(zigzag.is_closed());
     let sizes: Vec<_> = zigzag
         .parts()
@@ -102,7 +136,7 @@ fn chains_on_a_torus_are_cut_at_its_sides() {
             Piece::Point(_) => panic!("no point is on its own"),
         })
         .collect();
-    assert_eq!(sizes, [(2, [true, true]), (1, [true, true])]);
+    assert_eq!(sizes, [(3, [true, true])]);
     let upright = pieces.closed_path(&p(7, 0), [0, 1]).unwrap();
     let upright = traits.make_polycurve_of([&upright]).unwrap();
     let level = pieces.closed_path(&p(0, 3), [1, 0]).unwrap();
@@ -116,7 +150,10 @@ fn chains_on_a_torus_are_cut_at_its_sides() {
     assert_eq!(counts(&[&zigzag, &upright]), [1, 2, 1]);
     // It touches the zigzag on the left side.
     assert_eq!(counts(&[&zigzag, &level]), [1, 2, 2]);
-    let [Piece::Curve { curve: first, .. }, Piece::Curve { curve: second, .. }] = zigzag.parts() else {
+    let halves = [&paths[..2], &paths[2..]].map(|half| traits.make_polycurve_of(half).unwrap());
+    let [Piece::Curve { curve: first, .. }, Piece::Curve { curve: second, .. }] =
+        halves.each_ref().map(|half| &half.parts()[0])
+    else {
         panic!("two chains")
     };
     let Piece::Curve { curve: line, .. } = &level.parts()[0] else { panic!("a curve") };

@@ -86,6 +86,10 @@ impl UMonotoneTraits for Everything {
         Meeting::At(window.until.copied().unwrap_or(0) + 100, Multiplicity::Even)
     }
 
+    fn end_of_overlap(&self, a: &Line, _: &Line, p: Option<&i32>) -> Option<i32> {
+        p.map(|p| p + 200 + a.0[0])
+    }
+
     fn trim(&self, _: &Line, _: Option<&i32>, _: Option<&i32>) -> Line {
         Line([55, 66])
     }
@@ -198,6 +202,8 @@ impl ConnectTraits for Everything {
 }
 
 impl BoundedTraits for Everything {}
+impl ClosedLeftRightTraits for Everything {}
+impl ClosedBottomTopTraits for Everything {}
 impl OpenLeftRightTraits for Everything {}
 impl OpenBottomTopTraits for Everything {}
 impl ContractedLeftRightTraits for Everything {}
@@ -209,6 +215,8 @@ pub(crate) trait All:
     + DirectionalTraits
     + ApproxTraits
     + BoundedTraits
+    + ClosedLeftRightTraits
+    + ClosedBottomTopTraits
     + OpenLeftRightTraits
     + OpenBottomTopTraits
     + ContractedLeftRightTraits
@@ -224,6 +232,8 @@ impl<G> All for G where
         + DirectionalTraits
         + ApproxTraits
         + BoundedTraits
+        + ClosedLeftRightTraits
+        + ClosedBottomTopTraits
         + OpenLeftRightTraits
         + OpenBottomTopTraits
         + ContractedLeftRightTraits
@@ -279,6 +289,7 @@ pub(crate) fn call_each<G: All<Point = i32>>(
     ];
     let window = Window { after: Some(&1), until: Some(&6), first_to_end: 1 };
     text.push(format!("{:?}", traits.next_meeting(a, b, window)));
+    text.push(format!("{:?}", traits.end_of_overlap(a, b, Some(&1))));
     // What is in the buffers before stays.
     let mut common = vec![Intersection::Point(1000, Multiplicity::Odd)];
     traits.intersect(a, b, &mut common);

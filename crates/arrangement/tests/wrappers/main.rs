@@ -71,6 +71,7 @@ fn a_trace_has_each_call_with_arguments_and_answer() {
         "intersect(Line([1, 2]), Line([2, 3])) = [Point(7, Even), Overlap(Line([1, 2]))]",
         "next_meeting(Line([1, 2]), Line([2, 3]), Window { after: Some(1), until: Some(6), first_to_end: 1 }) \
          = At(106, Even)",
+        "end_of_overlap(Line([1, 2]), Line([2, 3]), Some(1)) = Some(202)",
         "make_u_monotone(_) = [Curve { curve: Line([5, 9]), is_artificial: [true, false] }, Point(5)]",
         "approx_curve(Line([1, 2]), None, Some(2), [1.0, 2.0, 3.0, 4.0]) = [[1.0, 4.0]]",
         "compare_u_of_ends((Line([1, 2]), Min), (Line([2, 3]), Max)) = Less",

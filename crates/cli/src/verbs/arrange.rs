@@ -1,18 +1,19 @@
 //! `splitstar arrange`.
 
-mod build;
-
 use super::counted;
 use crate::args::{CellEncoding, CellFormat, Place, Run};
 use crate::cells::CellReport;
 use crate::console::Console;
-use crate::curves::{CurveOperand, ground, tell_notes};
+use crate::curves::{CurveOperand, period, tell_notes};
 use crate::failure::{Failure, one_line};
 use crate::output;
 use crate::report::{Clock, Seconds};
 use splitstar::arrangement::models::TorusSegmentTraits;
-use splitstar::formats::{self, StarArrangement};
+use splitstar::arrangement::sweep::Progress;
+use splitstar::exact::Rational;
+use splitstar::formats::{self, CurveError, StarArrangement};
 use splitstar::render::{Frame, RenderError, Scene, SvgOptions};
+use std::ops::ControlFlow;
 
 pub(crate) fn arrange(run: &Run) -> Result<(), Failure> {
     if let Some(output) = &run.output {
@@ -24,10 +25,10 @@ pub(crate) fn arrange(run: &Run) -> Result<(), Failure> {
     let operands: Vec<CurveOperand> =
         run.operands.iter().map(|place| CurveOperand::read(place, &console)).collect::<Result<_, _>>()?;
     tell_notes(&operands, &console);
-    let ground = ground(&operands, run)?;
+    let period = period(&operands, run)?;
     let mut seconds = Seconds { read: clock.lap(), ..Seconds::default() };
     console.step(run.verb.name());
-    let arrangement = build::arrangement(operands, ground, &console)?;
+    let arrangement = arranged(operands, period, &console)?;
     let mut report = CellReport::of(&arrangement);
     seconds.compute = clock.lap();
     console.step_done();
@@ -46,6 +47,31 @@ pub(crate) fn arrange(run: &Run) -> Result<(), Failure> {
         Some(output) => {
             console.say(&summary(&report, output));
             Ok(())
+        }
+    }
+}
+
+/// The arrangement of the curves of all files; the console is told how far it has come.
+fn arranged(
+    mut operands: Vec<CurveOperand>,
+    period: Option<[Rational; 2]>,
+    console: &Console,
+) -> Result<StarArrangement, Failure> {
+    let tell = |progress: Progress| {
+        console.step_at("arrange", progress.sites_met, progress.sites);
+        ControlFlow::Continue(())
+    };
+    let counts: Vec<usize> = operands.iter().map(|operand| operand.file.curves.len()).collect();
+    let curves = operands.iter_mut().flat_map(|operand| std::mem::take(&mut operand.file.curves)).collect();
+    match StarArrangement::of_curves_with(curves, period, tell) {
+        Ok(made) => Ok(made.expect("nobody stops the sweep")),
+        Err(CurveError { mut curve, fault }) => {
+            let mut at = 0;
+            while at + 1 < counts.len() && curve >= counts[at] {
+                curve -= counts[at];
+                at += 1;
+            }
+            Err(operands[at].failure(curve, fault.to_string()))
         }
     }
 }

@@ -5,6 +5,7 @@
 
 mod bad;
 mod models;
+mod overlaps;
 mod page;
 mod random;
 

@@ -133,7 +133,7 @@ fn chains_on_a_torus_come_back() {
         let text = comes_back(&torus_polycurve_arrangement([2, 1], &rows));
         paths += text.lines().filter(|line| line.starts_with("curve") && line.split(' ').count() > 7).count();
     }
-    assert!(paths > 4, "{paths}");
+    assert!(paths > 3, "{paths}");
 }
 
 /// Points that are read are ends of curves, or crossings of two, where they can be.

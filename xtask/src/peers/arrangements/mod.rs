@@ -4,10 +4,11 @@
 //! |---|---|
 //! | `task` | an operation and its input: which curves, drawn by `testkit`, and their text for other programs |
 //! | `rows` | the tasks of the table, what must be found, who else runs, and what must be reached |
-//! | `ours` | the one place where arrangements of the library are called |
+//! | `ours`, `edits` | the places where the library is called: arrangements are made and asked, and edited |
 //! | `once` | one task in a process of its own, whose memory and processor time are measured |
 //! | `table` | runs of one row, the ratios, what failed, and the JSON of it |
 
+mod edits;
 mod once;
 mod ours;
 mod rows;
@@ -24,6 +25,7 @@ use serde_json::{Value, json};
 
 use super::{BUDGET, LEAST, report, setup};
 use crate::{Failure, python, shell};
+pub(crate) use edits::split_off_faces;
 pub(crate) use once::{Measured, fresh};
 use rows::{Peer, ROWS, Row};
 use table::{Outcome, Run};
@@ -102,6 +104,7 @@ impl Tools {
                 command.arg(shell::root().join("peers/float/node_segments.py"));
                 command
             }
+            Peer::Plain => return None,
         };
         command.args(inputs);
         Some(command)
@@ -132,8 +135,14 @@ fn outcome(row: &'static Row, tools: &Tools) -> Result<Outcome, Failure> {
         Err(failure) => outcome.troubles.push(format!("ours: {failure}")),
     }
     for &peer in row.peers {
-        let Some(mut command) = tools.command(peer, &row.task, &inputs) else { continue };
-        match theirs(&mut command) {
+        let measured = if peer == Peer::Plain {
+            let plain = rows::plain(&row.task).ok_or("the task has no history")?;
+            fresh(&plain, LEAST, BUDGET)
+        } else {
+            let Some(mut command) = tools.command(peer, &row.task, &inputs) else { continue };
+            theirs(&mut command)
+        };
+        match measured {
             Ok(measured) => outcome.peers.push(Run { peer: Some(peer), measured }),
             Err(failure) => outcome.troubles.push(format!("{peer}: {failure}")),
         }

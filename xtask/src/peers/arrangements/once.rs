@@ -7,8 +7,8 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 
-use super::ours;
 use super::task::{Curves, Operand, Operation, Task};
+use super::{edits, ours};
 use crate::bench::peak_kib;
 use crate::{Failure, shell};
 
@@ -26,15 +26,13 @@ impl std::fmt::Display for Counts {
     }
 }
 
-/// Where points were located.
+/// Cells where points were located, or that curves met, each as often as it was found.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Located {
-    /// Points on vertices, on edges, and in faces.
     pub(super) vertices: usize,
     pub(super) edges: usize,
     pub(super) faces: usize,
-    /// The numbers of halfedges on the outer boundaries of these faces, added up over the points: right faces, not only cells
-    /// of the right kind.
+    /// The numbers of halfedges on the outer boundaries of these faces, added up: right faces, not only cells of the right kind.
     pub(super) around: usize,
 }
 
@@ -43,7 +41,7 @@ pub(super) struct Located {
 pub(super) struct Found {
     /// Vertices and edges of splits included, as peers count.
     pub(super) counts: Counts,
-    /// For location only.
+    /// For location and zones only.
     pub(super) located: Option<Located>,
     /// Of the operation alone, by [`timed`].
     pub(super) seconds: f64,
@@ -64,7 +62,19 @@ pub(crate) struct Measured {
     pub(super) record: Value,
 }
 
+impl Located {
+    /// How many cells were found.
+    fn cells(self) -> usize {
+        self.vertices + self.edges + self.faces
+    }
+}
+
 impl Measured {
+    /// How many cells were found where points are located, or along curves; nothing for other operations.
+    pub(crate) fn cells(&self) -> Option<usize> {
+        self.located.map(Located::cells)
+    }
+
     /// Reads what a driver printed; ours prints the same.
     ///
     /// # Errors
@@ -141,6 +151,14 @@ pub(super) fn answer(task: &Task, least: usize, budget: f64) -> Result<Value, Fa
 fn perform(operation: Operation, operands: &[Operand]) -> Result<Found, Failure> {
     match (operation, operands) {
         (Operation::Build, [input]) => ours::build(&input.curves),
+        (Operation::Insert, [input]) => edits::insert(&input.curves),
+        (Operation::Remove, [input]) => edits::remove(&input.curves),
+        (Operation::Ready, [input]) => edits::make_ready(&input.curves),
+        (Operation::History, [input]) => edits::build_with_history(&input.curves),
+        (Operation::InsertHistory, [input]) => edits::insert_with_history(&input.curves),
+        (Operation::Zone | Operation::ZoneLong, [input, crossing]) => {
+            edits::zone(&input.curves, &crossing.curves)
+        }
         (Operation::Overlay, [red, blue]) => ours::overlay_of(&red.curves, &blue.curves),
         (Operation::Locate, [input, Operand { curves: Curves::Points(points), .. }]) => {
             ours::locate(&input.curves, points)

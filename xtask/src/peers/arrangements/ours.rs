@@ -1,4 +1,4 @@
-//! The one place where arrangements of the library are called.
+//! Where arrangements of the library are made and asked; `edits` is where they are edited.
 //!
 //! Every function prepares its operands, does the operation once, and times that alone.
 
@@ -14,7 +14,7 @@ use super::once::{Counts, Found, Located, timed};
 use super::task::Curves;
 use crate::Failure;
 
-type Segments = Arrangement<SegmentTraits, BoundedPlane>;
+pub(super) type Segments = Arrangement<SegmentTraits, BoundedPlane>;
 
 /// Aggregated insertion of all curves into an empty arrangement.
 ///
@@ -62,8 +62,14 @@ pub(super) fn locate(curves: &Curves, points: &[[i64; 2]]) -> Result<Found, Fail
     let arrangement = of_segments(curves)?;
     let points: Vec<Point2> = points.iter().map(|&point| Point2::from_i64(point)).collect();
     let (cells, seconds) = timed(|| locate_all(&arrangement, &points));
+    let located = located(&arrangement, &cells);
+    Ok(Found { located: Some(located), seconds, ..found(&(arrangement, seconds)) })
+}
+
+/// Counts cells, each as often as it is given.
+pub(super) fn located(arrangement: &Segments, cells: &[Cell]) -> Located {
     let mut located = Located::default();
-    for cell in cells {
+    for &cell in cells {
         match cell {
             Cell::Vertex(_) => located.vertices += 1,
             Cell::Edge(_) => located.edges += 1,
@@ -74,26 +80,32 @@ pub(super) fn locate(curves: &Curves, points: &[[i64; 2]]) -> Result<Found, Fail
             }
         }
     }
-    Ok(Found { located: Some(located), seconds, ..found(&(arrangement, seconds)) })
+    located
 }
 
-fn of_segments(curves: &Curves) -> Result<Segments, Failure> {
+/// The arrangement of segments.
+///
+/// # Errors
+/// If the library refuses the curves, or they are others.
+pub(super) fn of_segments(curves: &Curves) -> Result<Segments, Failure> {
     match curves {
         Curves::Segments(ends) => Ok(Arrangement::of_curves(SegmentTraits, BoundedPlane, &segments(ends)?)),
         _ => Err(NO_CURVES.into()),
     }
 }
 
-fn segments(ends: &[[i64; 4]]) -> Result<Vec<Segment>, Failure> {
+pub(super) fn segments(ends: &[[i64; 4]]) -> Result<Vec<Segment>, Failure> {
     let segment = |&[a, b, c, d]: &[i64; 4]| Segment::from_i64([[a, b], [c, d]]).ok_or(DEGENERATE);
     Ok(ends.iter().map(segment).collect::<Result<_, _>>()?)
 }
 
-fn found<G: BasicTraits, T: Topology<G>>((arrangement, seconds): &(Arrangement<G, T>, f64)) -> Found {
+pub(super) fn found<G: BasicTraits, T: Topology<G>>(
+    (arrangement, seconds): &(Arrangement<G, T>, f64),
+) -> Found {
     let counts = arrangement.counts_with_splits();
     let counts = Counts { vertices: counts.vertices, edges: counts.edges, faces: counts.faces };
     Found { counts, located: None, seconds: *seconds }
 }
 
 const DEGENERATE: &str = "a curve has equal ends";
-const NO_CURVES: &str = "the operation is not for these curves";
+pub(super) const NO_CURVES: &str = "the operation is not for these curves";

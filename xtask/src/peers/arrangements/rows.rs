@@ -10,12 +10,14 @@ pub(super) enum Peer {
     Cgal,
     /// GEOS, noding with floating-point numbers: no faces, and rounded vertices.
     Geos,
+    /// Ourselves without history.
+    Plain,
 }
 
 impl Peer {
     /// Whether its counts must be ours.
     pub(super) fn is_exact(self) -> bool {
-        self == Peer::Cgal
+        self != Peer::Geos
     }
 }
 
@@ -24,6 +26,7 @@ impl std::fmt::Display for Peer {
         f.pad(match self {
             Peer::Cgal => "CGAL",
             Peer::Geos => "GEOS",
+            Peer::Plain => "no history",
         })
     }
 }
@@ -54,6 +57,16 @@ pub(super) struct Requirement {
     pub(super) than: Peer,
 }
 
+/// Our task without history, for a task with it.
+pub(super) fn plain(task: &Task) -> Option<Task> {
+    let operation = match task.operation {
+        Operation::History => Operation::Ready,
+        Operation::InsertHistory => Operation::Insert,
+        _ => return None,
+    };
+    Some(Task { operation, ..*task })
+}
+
 /// A task and all that is asked of it.
 #[derive(Debug)]
 pub(super) struct Row {
@@ -61,9 +74,14 @@ pub(super) struct Row {
     pub(super) task: Task,
     /// Of the arrangement, edges and vertices of splits included; for location, of the one where points are located.
     pub(super) counts: Counts,
+    /// How many cells curves meet, each as often as it is met.
+    pub(super) zone: Option<usize>,
     pub(super) peers: &'static [Peer],
     pub(super) requirements: &'static [Requirement],
 }
+
+/// History may cost a third of the time without it.
+const PLAIN: f64 = 0.75;
 
 const fn times(factor: f64, than: Peer) -> Requirement {
     Requirement { factor, measure: Measure::Seconds, than }
@@ -78,11 +96,12 @@ const fn counts(vertices: usize, edges: usize, faces: usize) -> Counts {
 }
 
 /// All rows. The counts are those of CGAL 5.5.1; those of `long1000` were found by brute force, too.
-pub(super) const ROWS: [Row; 7] = [
+pub(super) const ROWS: [Row; 14] = [
     Row {
         name: "long1000",
         task: task(Operation::Build, Family::Long, 1_000),
         counts: counts(113_476, 223_952, 110_479),
+        zone: None,
         peers: &[Peer::Cgal],
         requirements: &[times(4.0, Peer::Cgal)],
     },
@@ -90,6 +109,7 @@ pub(super) const ROWS: [Row; 7] = [
         name: "long3000",
         task: task(Operation::Build, Family::Long, 3_000),
         counts: counts(1_034_374, 2_059_748, 1_025_377),
+        zone: None,
         peers: &[Peer::Cgal],
         requirements: &[
             times(4.0, Peer::Cgal),
@@ -100,6 +120,7 @@ pub(super) const ROWS: [Row; 7] = [
         name: "short100000",
         task: task(Operation::Build, Family::Short(14), 100_000),
         counts: counts(312_962, 325_924, 36_065),
+        zone: None,
         peers: &[Peer::Cgal, Peer::Geos],
         requirements: &[times(4.0, Peer::Cgal), times(1.0, Peer::Geos)],
     },
@@ -107,6 +128,7 @@ pub(super) const ROWS: [Row; 7] = [
         name: "lines1000",
         task: task(Operation::Build, Family::Lines, 1_000),
         counts: counts(499_500, 1_000_000, 500_501),
+        zone: None,
         peers: &[Peer::Cgal],
         requirements: &[times(4.0, Peer::Cgal)],
     },
@@ -114,6 +136,7 @@ pub(super) const ROWS: [Row; 7] = [
         name: "polylines1000",
         task: task(Operation::Build, Family::Polylines, 1_000),
         counts: counts(66_532, 126_009, 59_479),
+        zone: None,
         peers: &[Peer::Cgal],
         requirements: &[times(4.0, Peer::Cgal)],
     },
@@ -121,6 +144,7 @@ pub(super) const ROWS: [Row; 7] = [
         name: "overlay1000",
         task: task(Operation::Overlay, Family::Long, 1_000),
         counts: counts(459_813, 913_626, 453_815),
+        zone: None,
         peers: &[Peer::Cgal],
         requirements: &[times(6.0, Peer::Cgal)],
     },
@@ -128,7 +152,64 @@ pub(super) const ROWS: [Row; 7] = [
         name: "locate10000",
         task: task(Operation::Locate, Family::Short(14), 100_000),
         counts: counts(312_962, 325_924, 36_065),
+        zone: None,
         peers: &[Peer::Cgal],
         requirements: &[times(4.0, Peer::Cgal)],
+    },
+    Row {
+        name: "insert10000",
+        task: task(Operation::Insert, Family::Short(15), 10_000),
+        counts: counts(24_539, 19_078, 584),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[times(100.0, Peer::Cgal)],
+    },
+    Row {
+        name: "insert1000",
+        task: task(Operation::Insert, Family::Long, 1_000),
+        counts: counts(113_476, 223_952, 110_479),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[times(3.0, Peer::Cgal)],
+    },
+    Row {
+        name: "zone100",
+        task: task(Operation::Zone, Family::Short(15), 10_000),
+        counts: counts(24_539, 19_078, 584),
+        zone: Some(308),
+        peers: &[Peer::Cgal],
+        requirements: &[times(100.0, Peer::Cgal)],
+    },
+    Row {
+        name: "zone100long",
+        task: task(Operation::ZoneLong, Family::Short(15), 10_000),
+        counts: counts(24_539, 19_078, 584),
+        zone: Some(8_210),
+        peers: &[Peer::Cgal],
+        requirements: &[times(100.0, Peer::Cgal)],
+    },
+    Row {
+        name: "history1000",
+        task: task(Operation::History, Family::Long, 1_000),
+        counts: counts(113_476, 223_952, 110_479),
+        zone: None,
+        peers: &[Peer::Plain, Peer::Cgal],
+        requirements: &[times(PLAIN, Peer::Plain)],
+    },
+    Row {
+        name: "history10000",
+        task: task(Operation::InsertHistory, Family::Short(15), 10_000),
+        counts: counts(24_539, 19_078, 584),
+        zone: None,
+        peers: &[Peer::Plain],
+        requirements: &[times(PLAIN, Peer::Plain)],
+    },
+    Row {
+        name: "inserthistory1000",
+        task: task(Operation::InsertHistory, Family::Long, 1_000),
+        counts: counts(113_476, 223_952, 110_479),
+        zone: None,
+        peers: &[Peer::Plain, Peer::Cgal],
+        requirements: &[times(PLAIN, Peer::Plain)],
     },
 ];

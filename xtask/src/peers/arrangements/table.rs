@@ -4,7 +4,6 @@ use serde_json::{Value, json};
 
 use super::once::{Counts, Measured};
 use super::rows::{Measure, Peer, Requirement, Row};
-use super::task::Operation;
 
 /// What one program did with a row.
 #[derive(Debug)]
@@ -67,12 +66,15 @@ pub(super) fn check(outcome: &mut Outcome) {
             if run.measured.counts != Some(expected) {
                 troubles.push(format!("{name}: counts {}, there are {expected}", run.found()));
             }
-            if run.measured.located.is_some() != (outcome.row.task.operation == Operation::Locate) {
+            if run.measured.located.is_some() != outcome.row.task.operation.finds_cells() {
                 troubles.push(format!(
-                    "{name}: it locates points where it should not, or does not where it should"
+                    "{name}: it finds cells for queries where it should not, or does not where it should"
                 ));
             } else if let Some(ours) = located.filter(|ours| Some(*ours) != run.measured.located) {
-                troubles.push(format!("{name}: located {:?}, we located {ours:?}", run.measured.located));
+                troubles.push(format!("{name}: found {:?}, we found {ours:?}", run.measured.located));
+            } else if let Some(zone) = outcome.row.zone.filter(|&zone| run.measured.cells() != Some(zone)) {
+                troubles
+                    .push(format!("{name}: {:?} cells along curves, there are {zone}", run.measured.cells()));
             }
         }
     }

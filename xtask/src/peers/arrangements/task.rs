@@ -8,8 +8,10 @@ use crate::Failure;
 
 /// Seed of the first operand.
 const FIRST: u64 = 1;
-/// Seed of the second operand of an overlay.
+/// Seed of the second operand of an overlay, and of the curves whose zones are asked for.
 const SECOND: u64 = 2;
+/// Curves whose zones are asked for.
+const CROSSING: usize = 100;
 /// Points that are located, and their seed.
 const QUERIES: usize = 10_000;
 const QUERY_SEED: u64 = 1_000;
@@ -19,6 +21,20 @@ const QUERY_SEED: u64 = 1_000;
 pub(crate) enum Operation {
     /// Aggregated insertion into an empty arrangement.
     Build,
+    /// Insertion one by one into an empty arrangement, in the order of the input.
+    Insert,
+    /// Removal of all edges of an arrangement that exists, in random order.
+    Remove,
+    /// Aggregated insertion into an empty arrangement that is ready to be edited.
+    Ready,
+    /// The same, and the arrangement knows from which curves its edges come.
+    History,
+    /// What `Insert` does, and the arrangement knows from which curves its edges come.
+    InsertHistory,
+    /// The cells that curves of the same family meet in an arrangement that is ready to be edited.
+    Zone,
+    /// The cells that long segments meet there.
+    ZoneLong,
     /// Overlay of two arrangements that exist.
     Overlay,
     /// Batched location of points in an arrangement that exists.
@@ -63,10 +79,24 @@ pub(super) struct Operand {
     pub(super) hash: u64,
 }
 
+impl Operation {
+    /// Whether it finds cells for queries, which are compared.
+    pub(super) fn finds_cells(self) -> bool {
+        matches!(self, Operation::Locate | Operation::Zone | Operation::ZoneLong)
+    }
+}
+
 impl std::fmt::Display for Operation {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.write_str(match self {
             Operation::Build => "build",
+            Operation::Insert => "insert",
+            Operation::Remove => "remove",
+            Operation::Ready => "ready",
+            Operation::History => "history",
+            Operation::InsertHistory => "insert-history",
+            Operation::Zone => "zone",
+            Operation::ZoneLong => "zone-long",
             Operation::Overlay => "overlay",
             Operation::Locate => "locate",
         })
@@ -121,6 +151,13 @@ impl Task {
     pub(super) fn parse([operation, family, count]: [&str; 3]) -> Result<Task, Failure> {
         let operation = match operation {
             "build" => Operation::Build,
+            "insert" => Operation::Insert,
+            "remove" => Operation::Remove,
+            "ready" => Operation::Ready,
+            "history" => Operation::History,
+            "insert-history" => Operation::InsertHistory,
+            "zone" => Operation::Zone,
+            "zone-long" => Operation::ZoneLong,
             "overlay" => Operation::Overlay,
             "locate" => Operation::Locate,
             _ => return Err(format!("no such operation: {operation}").into()),
@@ -144,7 +181,14 @@ impl Task {
     pub(super) fn operands(&self) -> Vec<Operand> {
         let first = self.family.operand(self.count, FIRST);
         match self.operation {
-            Operation::Build => vec![first],
+            Operation::Build
+            | Operation::Insert
+            | Operation::Remove
+            | Operation::Ready
+            | Operation::History
+            | Operation::InsertHistory => vec![first],
+            Operation::Zone => vec![first, self.family.operand(CROSSING, SECOND)],
+            Operation::ZoneLong => vec![first, Family::Long.operand(CROSSING, SECOND)],
             Operation::Overlay => vec![first, self.family.operand(self.count, SECOND)],
             Operation::Locate => {
                 let Drawn { objects, hash } = query_points(QUERIES, QUERY_SEED);
@@ -182,10 +226,23 @@ impl Curves {
 mod tests {
     use super::*;
 
+    const OPERATIONS: [Operation; 10] = [
+        Operation::Build,
+        Operation::Insert,
+        Operation::Remove,
+        Operation::Ready,
+        Operation::History,
+        Operation::InsertHistory,
+        Operation::Zone,
+        Operation::ZoneLong,
+        Operation::Overlay,
+        Operation::Locate,
+    ];
+
     #[test]
     fn words_are_read_back() {
         let families = [Family::Long, Family::Short(9), Family::Lines, Family::Polylines];
-        for operation in [Operation::Build, Operation::Overlay, Operation::Locate] {
+        for operation in OPERATIONS {
             for family in families {
                 let task = Task { operation, family, count: 12 };
                 let words = task.words();

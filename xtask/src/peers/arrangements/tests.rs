@@ -4,7 +4,7 @@ use std::time::{Duration, Instant};
 use serde_json::{Value, json};
 
 use super::once::{Counts, Located, Measured, timed};
-use super::rows::{Peer, ROWS, Row};
+use super::rows::{Peer, ROWS, Row, plain};
 use super::table::{self, Outcome, Run};
 use super::task::Operation;
 
@@ -86,6 +86,23 @@ fn other_inputs_and_other_cells_are_troubles() {
     for record in wrong {
         assert_eq!(outcome(row, record.clone(), right.clone()).troubles.len(), 1, "ours: {record}");
         assert_eq!(outcome(row, right.clone(), record.clone()).troubles.len(), 1, "theirs: {record}");
+    }
+}
+
+#[test]
+fn zones_have_the_known_cells() {
+    let row = row("zone100");
+    let mut record = printed(row, 1.0, 100);
+    record["located"] = json!({ "vertices": 0, "edges": 104, "faces": 204, "around": 18 });
+    assert!(outcome(row, record.clone(), record.clone()).troubles.is_empty());
+    record["located"] = json!({ "vertices": 0, "edges": 103, "faces": 204, "around": 18 });
+    assert_eq!(outcome(row, record.clone(), record).troubles.len(), 2);
+}
+
+#[test]
+fn history_is_compared_with_none() {
+    for row in ROWS.iter().filter(|row| row.peers.contains(&Peer::Plain)) {
+        assert!(plain(&row.task).is_some(), "{}", row.name);
     }
 }
 

@@ -104,6 +104,11 @@ impl<'s, P: Clone> Builder<'s, P> {
         }
     }
 
+    /// Keeps, for every edge along which several curves run, all of them.
+    pub(crate) fn keep_overlaps(&mut self) {
+        self.keeps_overlaps = true;
+    }
+
     #[inline]
     fn add_vertex(&mut self, point: Option<P>, is_artificial: bool) -> VertexId {
         let vertex = VertexId::new(self.outgoing.len());
@@ -225,18 +230,32 @@ impl<'s, P: Clone> Builder<'s, P> {
             (around.left.last().map(|strand| strand.tag.above), around.right.is_empty());
         let below_left = around.below.map_or(self.bottom, |tag| tag.above);
         match (location.u, location.v) {
-            (Along::Low, _) => {
+            (Along::Low, v) => {
                 let below = below_left;
-                let above = self.on_sides.above_left(&mut self.labels, self.top);
+                // What begins in the lower corner is below all of the side, and what is in the upper one above.
+                if !is_special || v != Along::Low {
+                    self.on_sides.end_first_interval(self.top);
+                }
+                if is_special && is_right_empty {
+                    // A curve along the side ends in the corner: what is right of it is above all, then.
+                    self.top = below;
+                    return (below, below);
+                }
+                let above = self.labels.fresh();
+                if !is_special {
+                    self.on_sides.begin_interval(above);
+                }
                 self.top = above;
-                if is_right_empty && !is_special {
+                if is_right_empty {
                     self.labels.join(below, above);
                 }
                 (below, above)
             }
-            (Along::High, _) => {
+            (Along::High, v) => {
                 if !is_special {
                     self.on_sides.join_right(&mut self.labels, self.bottom);
+                } else if v == Along::High {
+                    self.on_sides.join_last(&mut self.labels, self.bottom);
                 }
                 self.bottom = left_above.unwrap_or(self.bottom);
                 (self.bottom, self.bottom)
@@ -263,6 +282,7 @@ impl<'s, P: Clone> Builder<'s, P> {
     fn leave_left_side(&mut self) {
         if self.is_before_interior {
             self.is_before_interior = false;
+            self.on_sides.end_first_interval(self.top);
             if self.sides.is_v_identified() {
                 self.labels.join(self.bottom, self.top);
             }
@@ -272,7 +292,8 @@ impl<'s, P: Clone> Builder<'s, P> {
     /// Makes the cells.
     pub(crate) fn finish<G: BasicTraits<Point = P>, T: Topology<G>>(mut self, topology: &T) -> Built<P> {
         self.leave_left_side();
-        self.on_sides.join_last(&mut self.labels, 0, self.top);
+        self.on_sides.join_last(&mut self.labels, self.top);
+        let gaps_of_special = self.on_sides.gaps_of_special(0, self.bottom, self.top);
         let special = special_count(topology);
         let mut is_attached = vec![false; if self.on_sides.is_empty() { 0 } else { self.outgoing.len() }];
         for (vertex, leaving) in self.on_sides.link(&mut self.halfedges) {
@@ -280,9 +301,10 @@ impl<'s, P: Clone> Builder<'s, P> {
             is_attached[vertex.index()] = true;
         }
         let (faces, face_count) = self.labels.into_faces();
-        let mut isolated: Vec<(VertexId, FaceId)> = (0..special)
-            .filter(|&v| self.outgoing[v] == HalfedgeId::NONE)
-            .map(|v| (VertexId::new(v), FaceId(faces[0])))
+        let mut isolated: Vec<(VertexId, FaceId)> = gaps_of_special
+            .into_iter()
+            .filter(|(v, _)| self.outgoing[v.index()] == HalfedgeId::NONE)
+            .map(|(v, gap)| (v, FaceId(faces[gap as usize])))
             .collect();
         for (vertex, label) in self.isolated {
             if !is_attached.get(vertex.index()).is_some_and(|&is| is) {

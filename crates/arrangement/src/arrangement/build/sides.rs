@@ -31,8 +31,10 @@ pub(super) struct SideVertices {
     sides: Sides,
     /// The special vertex of each side: left, right, bottom, top.
     special: [Option<VertexId>; 4],
-    /// The halfedges that leave special vertices, on each side in the order in which they were met.
+    /// The halfedges that leave special vertices, along each side from left to right, or from bottom to top.
     ends: [Vec<HalfedgeId>; 4],
+    /// How many of those on the top are not in its right corner, if one is.
+    before_corner: Option<usize>,
     seams: Vec<Seam>,
     /// The vertices on the left side, from bottom to top, the corner twice; and how many of them were met on the right.
     left: Vec<usize>,
@@ -40,8 +42,11 @@ pub(super) struct SideVertices {
     /// The vertex of the last event on the bottom.
     bottom: usize,
     corner: Option<usize>,
-    /// The labels of the gaps next to the left side: below the first vertex, between, above the last.
+    /// The labels of the gaps next to the left side: below the first vertex on it, between, above the last. A gap that a curve along
+    /// the side closes off is the one behind it. Curves in corners that are special vertices do not count.
     intervals: Vec<u32>,
+    /// Whether the gap above the last vertex on the right side was joined to that on the left.
+    is_last_joined: bool,
 }
 
 impl SideVertices {
@@ -52,12 +57,14 @@ impl SideVertices {
             sides,
             special,
             ends: Default::default(),
+            before_corner: None,
             seams: Vec::new(),
             left: Vec::new(),
             met_right: 0,
             bottom: 0,
             corner: None,
             intervals: Vec::new(),
+            is_last_joined: false,
         }
     }
 
@@ -133,18 +140,28 @@ impl SideVertices {
         if let Some((side, _)) =
             sides_of(location).into_iter().find(|&(side, is)| is && self.special[side].is_some())
         {
-            self.ends[side].extend(leaving);
+            let ends = &mut self.ends[side];
+            // A corner is met as a part of the left or right side. There what is met first, because it is lower, may be further right.
+            let at = match (side, location.u) {
+                (2, Along::Low) => 0,
+                (3, Along::High) => *self.before_corner.get_or_insert(ends.len()),
+                _ => ends.len(),
+            };
+            ends.splice(at..at, leaving);
         }
     }
 
-    /// The label to use above an event on the left side.
-    pub(super) fn above_left(&mut self, labels: &mut Labels, top: u32) -> u32 {
+    /// The lowest interval of the left side ends; what is above all strands there has this label.
+    #[inline]
+    pub(super) fn end_first_interval(&mut self, top: u32) {
         if self.intervals.is_empty() {
             self.intervals.push(top);
         }
-        let label = labels.fresh();
-        self.intervals.push(label);
-        label
+    }
+
+    /// A vertex on the left side, above which the gap has this label.
+    pub(super) fn begin_interval(&mut self, above: u32) {
+        self.intervals.push(above);
     }
 
     /// The gap below an event on the right side continues on the left.
@@ -156,11 +173,31 @@ impl SideVertices {
         }
     }
 
-    /// The gap above all events on the right side continues on the left.
-    pub(super) fn join_last(&self, labels: &mut Labels, first: u32, top: u32) {
-        if self.sides.is_u_identified() && self.corner.is_none() {
-            labels.join(top, self.intervals.last().copied().unwrap_or(first));
+    /// The gap above all vertices on the right side continues on the left. To be told when curves in the upper corner end, or at the
+    /// end.
+    pub(super) fn join_last(&mut self, labels: &mut Labels, above: u32) {
+        let is_joined = std::mem::replace(&mut self.is_last_joined, true);
+        if !is_joined
+            && self.sides.is_u_identified()
+            && self.corner.is_none()
+            && let Some(&last) = self.intervals.last()
+        {
+            labels.join(above, last);
         }
+    }
+
+    /// For each special vertex, the gap in which it is if nothing comes to it, where `first` is the first gap of all, and the last ones
+    /// below and above all strands are given.
+    pub(super) fn gaps_of_special(&self, first: u32, bottom: u32, top: u32) -> Vec<(VertexId, u32)> {
+        let mut gaps: Vec<(VertexId, u32)> = self
+            .special
+            .into_iter()
+            .zip([first, bottom, first, top])
+            .filter_map(|(v, gap)| Some((v?, gap)))
+            .collect();
+        gaps.sort_unstable();
+        gaps.dedup_by_key(|(v, _)| *v);
+        gaps
     }
 
     /// Links the halfedges around all vertices on sides, and gives one that leaves each.
@@ -180,6 +217,7 @@ impl SideVertices {
             (self.special[2], bottom),
         ];
         let mut vertices: Vec<VertexId> = self.special.into_iter().flatten().collect();
+        vertices.sort_unstable();
         vertices.dedup();
         for vertex in vertices {
             let ends = clockwise.iter().filter(|(v, _)| *v == Some(vertex));

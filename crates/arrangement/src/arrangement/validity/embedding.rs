@@ -40,7 +40,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
             found,
         };
         let flow = sweep(&self.traits, &self.topology, &input, &mut visitor);
-        let Checker { met, on_images, .. } = visitor;
+        let Checker { met, on_images, bottom: last, .. } = visitor;
         for (site, e) in on_images {
             let is_there = |v: &VertexId| match (self.point(*v), input.site(site as usize).point()) {
                 (Some(p), Some(q)) => self.traits.is_same_point(p, q),
@@ -50,6 +50,15 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         }
         if flow.is_break() {
             return;
+        }
+        // A side to which nothing comes is in the first face of all, or in the last one.
+        let [left, right, bottom, top] = self.topology.side_vertices();
+        let first = self.corner_face();
+        for (side, face) in [(left, first), (right, last), (bottom, first), (top, last)] {
+            let Some(v) = side.map(VertexId) else { continue };
+            if let Some(by_cells) = self.dcel.isolated_face(v).filter(|&by_cells| by_cells != face) {
+                found.push(Violation::WrongFace(v, by_cells, face));
+            }
         }
         for v in self.dcel.vertices() {
             if found.len() >= limit {

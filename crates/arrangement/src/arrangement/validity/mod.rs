@@ -190,7 +190,10 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         let curve = self.curve_of(e);
         let end_point = self.traits.end_point(curve, end);
         let location = |end| self.topology.end_location(&self.traits, curve, end);
-        let Some(point) = self.point(v) else { return end_point.is_none() && !location(end).is_interior() };
+        let Some(point) = self.point(v) else {
+            let is_contracted = self.topology.sides().is_contracted(location(end));
+            return is_contracted || end_point.is_none() && !location(end).is_interior();
+        };
         if end_point.is_some_and(|end_point| self.traits.is_same_point(end_point, point)) {
             return true;
         }

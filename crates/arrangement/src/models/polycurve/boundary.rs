@@ -2,13 +2,16 @@
 
 use super::{Chain, PieceTraits, PolycurveTraits};
 use crate::traits::{
-    ApproxTraits, BoundaryTraits, BoundedTraits, ContractedBottomTopTraits, ContractedLeftRightTraits,
-    CurveEnd, IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Location, NearBottomTopTraits,
-    NearLeftRightTraits, OpenBottomTopTraits, OpenLeftRightTraits,
+    ApproxTraits, BoundaryTraits, BoundedTraits, ClosedBottomTopTraits, ClosedLeftRightTraits,
+    ContractedBottomTopTraits, ContractedLeftRightTraits, CurveEnd, IdentifiedBottomTopTraits,
+    IdentifiedLeftRightTraits, Location, NearBottomTopTraits, NearLeftRightTraits, OpenBottomTopTraits,
+    OpenLeftRightTraits,
 };
 use std::cmp::Ordering;
 
 impl<S: PieceTraits + BoundedTraits> BoundedTraits for PolycurveTraits<S> {}
+impl<S: PieceTraits + ClosedLeftRightTraits> ClosedLeftRightTraits for PolycurveTraits<S> {}
+impl<S: PieceTraits + ClosedBottomTopTraits> ClosedBottomTopTraits for PolycurveTraits<S> {}
 
 impl<S: PieceTraits + BoundaryTraits> BoundaryTraits for PolycurveTraits<S> {
     #[inline]

@@ -22,7 +22,8 @@ impl<P, C> Polycurve<P, C> {
         Self { parts: parts.into(), is_closed }
     }
 
-    /// The u-monotone chains in their order along the curve, or the one point that it is.
+    /// The u-monotone chains in their order along the curve, or the one point that it is. A closed curve begins with a chain that has
+    /// to begin there, if one has to, and not in the middle of one.
     pub fn parts(&self) -> &[Piece<P, Chain<C>>] {
         &self.parts
     }

@@ -127,12 +127,19 @@ impl<S: PieceTraits> PolycurveTraits<S> {
         Ok(directions)
     }
 
-    fn cut(&self, links: Vec<Link<S::UMonotoneCurve>>, is_one_curve: bool) -> PolycurveOf<S> {
+    fn cut(&self, mut links: Vec<Link<S::UMonotoneCurve>>, is_one_curve: bool) -> PolycurveOf<S> {
         let (first, last) = (&links[0], &links[links.len() - 1]);
         let start = self.pieces.end_point(&first.curve, first.entry());
         let end = self.pieces.end_point(&last.curve, last.exit());
         let is_closed = start.zip(end).is_some_and(|(p, q)| self.pieces.is_same_point(p, q));
-        // The start of a closed polycurve is cut, whatever it does there. Of one curve, only the model knows.
+        // Where a closed polycurve was begun does not show, if it is cut elsewhere.
+        if is_closed && !is_one_curve && self.joint(last, first) == Joint::Smooth {
+            let is_cut = |i: &usize| self.joint(&links[i - 1], &links[*i]) != Joint::Smooth;
+            let begin = (1..links.len()).find(is_cut).unwrap_or(0);
+            links.rotate_left(begin);
+        }
+        let (first, last) = (&links[0], &links[links.len() - 1]);
+        // Else its start is cut, whatever it does there. Of one curve, only the model knows.
         let [at_start, at_end] = match is_closed && !is_one_curve {
             true => [self.joint(last, first) != Joint::Tip; 2],
             false => [first.is_artificial(first.entry()), last.is_artificial(last.exit())],

@@ -147,6 +147,55 @@ impl<S: PieceTraits> UMonotoneTraits for PolycurveTraits<S> {
         }
     }
 
+    /// Finds where two chains part, by walking along both from `p` on.
+    ///
+    /// # Complexity
+    /// O(log m) comparisons for chains of m pieces, and two for each pair of pieces up to the end of the overlap; besides, if the curves
+    /// of the model of the pieces do not meet once, one question of the same kind.
+    fn end_of_overlap(
+        &self,
+        a: &Self::UMonotoneCurve,
+        b: &Self::UMonotoneCurve,
+        p: Option<&Self::Point>,
+    ) -> Option<Self::Point> {
+        let [mut i, mut j] = [a, b].map(|chain| p.map_or(0, |p| self.piece_after(chain, p)));
+        let mut from = p;
+        loop {
+            let end = |chain, piece| match self.joint_after(chain, piece) {
+                Some(joint) => Some(joint),
+                None => self.inner_end(chain, CurveEnd::Max),
+            };
+            let [end_a, end_b] = [end(a, i), end(b, j)];
+            // Pieces that run together come to points of the interior before they come to a side.
+            let (order, end) = match (end_a, end_b) {
+                (Some(p), Some(q)) => match self.pieces.compare_uv(p, q) {
+                    Ordering::Greater => (Ordering::Greater, Some(q)),
+                    order => (order, Some(p)),
+                },
+                (Some(p), None) => (Ordering::Less, Some(p)),
+                (None, Some(q)) => (Ordering::Greater, Some(q)),
+                (None, None) => (Ordering::Equal, None),
+            };
+            if !S::MEET_ONCE {
+                let parting = self.pieces.end_of_overlap(&a.pieces()[i], &b.pieces()[j], from);
+                let is_first = |q: &S::Point| end.is_none_or(|end| self.pieces.compare_uv(q, end).is_lt());
+                if let Some(point) = parting.filter(is_first) {
+                    return Some(point);
+                }
+            }
+            let joint = end?;
+            if order.is_le() && i == a.last() || order.is_ge() && j == b.last() {
+                return Some(joint.clone());
+            }
+            i += usize::from(order.is_le());
+            j += usize::from(order.is_ge());
+            if self.pieces.compare_v_at_u_right(&a.pieces()[i], &b.pieces()[j], joint).is_ne() {
+                return Some(joint.clone());
+            }
+            from = Some(joint);
+        }
+    }
+
     fn trim(
         &self,
         curve: &Self::UMonotoneCurve,

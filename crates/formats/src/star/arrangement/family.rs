@@ -1,5 +1,6 @@
 //! What is different from one family of curves to the other: the surface and the curves, as text and as objects.
 
+use super::course::Course;
 use super::model::{
     LinearArrangement, PolycurveArrangement, StarArrangement, TorusArrangement, TorusPolycurveArrangement,
 };
@@ -8,21 +9,61 @@ use arrangement::models::polycurve::{Chain, PolycurveTraits};
 use arrangement::models::{Linear, LinearTraits, TorusSegment, TorusSegmentTraits};
 use arrangement::topology::{FlatTorus, Topology, UnboundedPlane};
 use arrangement::traits::{CurveEnd, UMonotoneTraits};
-use exact::planar::{Line2, Point2, compare_xy};
+use exact::planar::{Line2, Point2};
 use exact::{Integer, Rational};
 
 /// Curves that can be written and read.
 pub(super) trait Family: UMonotoneTraits<Point = Point2> + Clone {
     type Surface: Topology<Self>;
+    type Straight: Straight;
 
     /// The record of the surface.
     fn put_surface(&self, text: &mut Vec<u8>);
 
-    /// What stands behind the number of a curve, without a direction.
-    fn put_curve(&self, curve: &Self::UMonotoneCurve, text: &mut Vec<u8>);
+    /// The straight pieces of a curve, one or more, from its min to its max end.
+    fn pieces(curve: &Self::UMonotoneCurve) -> &[Self::Straight];
 
-    /// The line of a curve at one of its points, and the ends of this piece of it.
-    fn line_at<'a>(curve: &'a Self::UMonotoneCurve, p: &Point2) -> (&'a Line2, [Option<&'a Point2>; 2]);
+    /// What stands behind the number of a curve, without a direction.
+    fn put_course(course: &Course<'_>, text: &mut Vec<u8>);
+}
+
+/// A piece of a curve on one line.
+pub(super) trait Straight {
+    fn line(&self) -> &Line2;
+
+    /// An end in the plane, or in the closed rectangle of a torus; `None` at infinity.
+    fn place(&self, end: CurveEnd) -> Option<&Point2>;
+
+    /// The vertex there.
+    fn point(&self, end: CurveEnd) -> Option<&Point2>;
+}
+
+impl Straight for Linear {
+    fn line(&self) -> &Line2 {
+        self.supporting_line()
+    }
+
+    fn place(&self, end: CurveEnd) -> Option<&Point2> {
+        self.ends()[end as usize].as_ref()
+    }
+
+    fn point(&self, end: CurveEnd) -> Option<&Point2> {
+        self.place(end)
+    }
+}
+
+impl Straight for TorusSegment {
+    fn line(&self) -> &Line2 {
+        self.supporting_line()
+    }
+
+    fn place(&self, end: CurveEnd) -> Option<&Point2> {
+        Some(self.place(end))
+    }
+
+    fn point(&self, end: CurveEnd) -> Option<&Point2> {
+        Some(self.point(end))
+    }
 }
 
 /// An arrangement that [`write_arrangement`](crate::write_arrangement) can write: a [`StarArrangement`], or one of its variants.
@@ -65,101 +106,98 @@ impl StarText for StarArrangement {
 
 impl Family for LinearTraits {
     type Surface = UnboundedPlane;
+    type Straight = Linear;
 
     fn put_surface(&self, text: &mut Vec<u8>) {
         put(text, format_args!("surface plane\n"));
     }
 
-    fn put_curve(&self, curve: &Linear, text: &mut Vec<u8>) {
-        put_linear(curve.supporting_line(), curve.ends().each_ref().map(Option::as_ref), text);
+    fn pieces(curve: &Linear) -> &[Linear] {
+        std::slice::from_ref(curve)
     }
 
-    fn line_at<'a>(curve: &'a Linear, _: &Point2) -> (&'a Line2, [Option<&'a Point2>; 2]) {
-        (curve.supporting_line(), curve.ends().each_ref().map(Option::as_ref))
+    fn put_course(course: &Course<'_>, text: &mut Vec<u8>) {
+        put_in_plane(course, text);
     }
 }
 
 impl Family for PolycurveTraits<LinearTraits> {
     type Surface = UnboundedPlane;
+    type Straight = Linear;
 
     fn put_surface(&self, text: &mut Vec<u8>) {
         self.inner().put_surface(text);
     }
 
-    /// Pieces on one line that follow each other are one.
-    fn put_curve(&self, curve: &Chain<Linear>, text: &mut Vec<u8>) {
-        let pieces = curve.pieces();
-        let joints = pieces.windows(2).filter(|pair| pair[0].supporting_line() != pair[1].supporting_line());
-        let joints: Vec<Option<&Point2>> = joints.map(|pair| pair[1].ends()[0].as_ref()).collect();
-        let [first, last] = [&pieces[0], &pieces[pieces.len() - 1]];
-        let [min, max] = [first.ends()[0].as_ref(), last.ends()[1].as_ref()];
-        if joints.is_empty() {
-            return put_linear(first.supporting_line(), [min, max], text);
-        }
-        text.extend_from_slice(b"polyline");
-        if min.is_none() {
-            let [dx, dy] = direction(first.supporting_line());
-            put(text, format_args!(" infinity {} {}", -dx, -dy));
-        }
-        min.into_iter().chain(joints.into_iter().flatten()).chain(max).for_each(|p| put_point(p, text));
-        if max.is_none() {
-            let [dx, dy] = direction(last.supporting_line());
-            put(text, format_args!(" infinity {dx} {dy}"));
-        }
+    fn pieces(curve: &Chain<Linear>) -> &[Linear] {
+        curve.pieces()
     }
 
-    fn line_at<'a>(curve: &'a Chain<Linear>, p: &Point2) -> (&'a Line2, [Option<&'a Point2>; 2]) {
-        LinearTraits::line_at(piece_at(curve, p, |piece| piece.ends()[1].as_ref()), p)
+    fn put_course(course: &Course<'_>, text: &mut Vec<u8>) {
+        put_in_plane(course, text);
     }
-}
-
-/// The first piece of a chain that does not end before a point.
-fn piece_at<'a, C>(chain: &'a Chain<C>, p: &Point2, max: fn(&C) -> Option<&Point2>) -> &'a C {
-    let pieces = chain.pieces();
-    let count = pieces.partition_point(|piece| max(piece).is_some_and(|max| compare_xy(max, p).is_lt()));
-    &pieces[count.min(pieces.len() - 1)]
 }
 
 impl Family for TorusSegmentTraits {
     type Surface = FlatTorus;
+    type Straight = TorusSegment;
 
     fn put_surface(&self, text: &mut Vec<u8>) {
         let [p, q] = self.period();
         put(text, format_args!("surface torus {p} {q}\n"));
     }
 
-    fn put_curve(&self, curve: &TorusSegment, text: &mut Vec<u8>) {
-        put_path(std::slice::from_ref(curve), text);
+    fn pieces(curve: &TorusSegment) -> &[TorusSegment] {
+        std::slice::from_ref(curve)
     }
 
-    /// The line is that in the rectangle.
-    fn line_at<'a>(curve: &'a TorusSegment, _: &Point2) -> (&'a Line2, [Option<&'a Point2>; 2]) {
-        (curve.supporting_line(), CurveEnd::BOTH.map(|end| Some(curve.point(end))))
+    fn put_course(course: &Course<'_>, text: &mut Vec<u8>) {
+        put_path(course, text);
     }
 }
 
 impl Family for PolycurveTraits<TorusSegmentTraits> {
     type Surface = FlatTorus;
+    type Straight = TorusSegment;
 
     fn put_surface(&self, text: &mut Vec<u8>) {
         self.inner().put_surface(text);
     }
 
-    fn put_curve(&self, curve: &Chain<TorusSegment>, text: &mut Vec<u8>) {
-        put_path(curve.pieces(), text);
+    fn pieces(curve: &Chain<TorusSegment>) -> &[TorusSegment] {
+        curve.pieces()
     }
 
-    fn line_at<'a>(curve: &'a Chain<TorusSegment>, p: &Point2) -> (&'a Line2, [Option<&'a Point2>; 2]) {
-        TorusSegmentTraits::line_at(piece_at(curve, p, |piece| Some(piece.place(CurveEnd::Max))), p)
+    fn put_course(course: &Course<'_>, text: &mut Vec<u8>) {
+        put_path(course, text);
     }
 }
 
-/// Writes a path: where it begins, and how far each piece goes. Pieces on one line that follow each other are one.
-fn put_path(pieces: &[TorusSegment], text: &mut Vec<u8>) {
+/// Writes a segment, a ray, a line or a polyline.
+fn put_in_plane(course: &Course<'_>, text: &mut Vec<u8>) {
+    let Course { lines: [first, last], places: [min, max], bends, .. } = course;
+    if bends.is_empty() {
+        return put_linear(first, [*min, *max], text);
+    }
+    text.extend_from_slice(b"polyline");
+    if min.is_none() {
+        let [dx, dy] = direction(first);
+        put(text, format_args!(" infinity {} {}", -dx, -dy));
+    }
+    min.iter().chain(bends).chain(max).for_each(|p| put_point(p, text));
+    if max.is_none() {
+        let [dx, dy] = direction(last);
+        put(text, format_args!(" infinity {dx} {dy}"));
+    }
+}
+
+/// Writes a path: the vertex where it begins, and how far each piece goes.
+fn put_path(course: &Course<'_>, text: &mut Vec<u8>) {
     text.extend_from_slice(b"path");
-    put_point(pieces[0].point(CurveEnd::Min), text);
-    for run in pieces.chunk_by(|a, b| a.supporting_line() == b.supporting_line()) {
-        let [from, to] = [run[0].place(CurveEnd::Min), run[run.len() - 1].place(CurveEnd::Max)];
+    course.start.iter().for_each(|p| put_point(p, text));
+    let [min, max] = &course.places;
+    let places = || min.iter().chain(&course.bends).chain(max);
+    for (from, to) in places().zip(places().skip(1)) {
         let ([x, y], [to_x, to_y]) = (from.coordinates(), to.coordinates());
         put(text, format_args!(" {} {}", to_x - x, to_y - y));
     }

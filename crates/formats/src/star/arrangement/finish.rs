@@ -1,14 +1,16 @@
 //! An arrangement of what was read, or what is wrong with it.
 
 use super::cells::Cells;
+use super::course::piece_beside;
 use super::curves::{Curves, List, malformed};
-use super::family::Family;
+use super::family::{Family, Straight};
 use super::model::StarArrangement;
 use super::numbers::Numbers;
 use crate::base::error::Located;
 use arrangement::models::LinearTraits;
 use arrangement::models::polycurve::PolycurveTraits;
 use arrangement::topology::{FlatTorus, UnboundedPlane};
+use arrangement::traits::CurveEnd;
 use arrangement::{Arrangement, Parts, Violation};
 use dcel::{CcbKind, Dcel, DcelViolation, VertexId};
 use exact::planar::{Line2, Point2};
@@ -80,8 +82,11 @@ fn define_points<G: Family>(curves: &[G::UMonotoneCurve], cells: &mut Cells) {
     for (index, halfedge) in cells.halfedges.iter().enumerate() {
         let v = halfedge.source.index();
         let Some(point) = &mut cells.points[v] else { continue };
-        let (line, ends) = G::line_at(&curves[cells.supports[index / 2] as usize], point);
-        if let Some(end) = ends.into_iter().flatten().find(|&end| end == point) {
+        let pieces = G::pieces(&curves[cells.supports[index / 2] as usize]);
+        let piece = &pieces[piece_beside(pieces, point, CurveEnd::Max)];
+        let line = piece.line();
+        let mut ends = CurveEnd::BOTH.into_iter().filter_map(|end| piece.point(end));
+        if let Some(end) = ends.find(|&end| end == point) {
             *point = end.clone();
             known[v] = Known::Done;
             continue;

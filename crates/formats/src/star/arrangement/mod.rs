@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `model` | the arrangements that a file can say |
 //! | `family` | what differs from one family of curves to the other |
+//! | `course` | what the text has as one curve |
 //! | `write` | the one text of an arrangement |
 //! | `read` | the door, and the grammar of records |
 //! | `numbers` | numbers that are declared, and their lines |
@@ -12,6 +13,7 @@
 //! | `finish` | an arrangement of them, or what is wrong with it, in numbers of the file |
 
 mod cells;
+mod course;
 mod curves;
 mod family;
 mod finish;

@@ -1,15 +1,15 @@
 //! An arrangement, written: one text for each.
 
+use super::course::{Links, course_of};
 use super::family::{Family, StarText, put_point};
 use crate::base::numerals::put;
 use arrangement::{Arrangement, CellOrder};
 use dcel::{CcbKind, HalfedgeId};
-use std::collections::HashMap;
 
 /// Writes an arrangement in the native format, kind `arrangement`: see `docs/star.md`.
 ///
-/// There is one text for each arrangement: it does not depend on ids, on the order in which curves were inserted, nor on their
-/// directions. Curves that carry no edge are left out.
+/// There is one text for each arrangement: it depends on the cells alone, and not on ids, nor on the curves that were inserted, their
+/// order and their directions. A curve of the text goes straight on from vertex to vertex as far as there are edges.
 ///
 /// # Complexity
 /// O(n log n).
@@ -40,30 +40,23 @@ pub(super) fn text<G: Family>(arrangement: &Arrangement<G, G::Surface>) -> Vec<u
     let mut text = b"star 1 arrangement\n".to_vec();
     arrangement.traits().put_surface(&mut text);
 
-    // Curves in the order of their first edges. Those with one text are one.
+    // Curves in the order of their first edges.
     const NEW: u32 = u32::MAX;
-    let mut curve_numbers = vec![NEW; arrangement.curves().len()];
-    let mut known: HashMap<Vec<u8>, u32> = HashMap::new();
+    let links = Links::new(arrangement, &vertices);
+    let mut curve_numbers = vec![NEW; dcel.edge_bound()];
+    let mut curve_count = 0;
     for &e in &edges {
-        let support = arrangement.support(e);
-        let number = &mut curve_numbers[support.index()];
-        if *number != NEW {
+        if curve_numbers[e.index()] != NEW {
             continue;
         }
-        let mut curve = Vec::new();
-        arrangement.traits().put_curve(arrangement.curve(support), &mut curve);
-        *number = known.len() as u32;
-        match known.get(&curve) {
-            Some(&first) => *number = first,
-            None => {
-                put(&mut text, format_args!("curve {number} "));
-                text.extend_from_slice(&curve);
-                text.push(b'\n');
-                known.insert(curve, *number);
-            }
-        }
+        links.run(e).for_each(|e| curve_numbers[e.index()] = curve_count);
+        let course = course_of(arrangement, links.run(e)).expect("a curve has an edge");
+        put(&mut text, format_args!("curve {curve_count} "));
+        G::put_course(&course, &mut text);
+        text.push(b'\n');
+        curve_count += 1;
     }
-    drop(known);
+    drop(links);
 
     let mut vertex_numbers = vec![NEW; dcel.vertex_bound()];
     for (number, &v) in (0..).zip(&vertices) {
@@ -80,7 +73,7 @@ pub(super) fn text<G: Family>(arrangement: &Arrangement<G, G::Surface>) -> Vec<u
         for v in dcel.ends(e) {
             put_end(vertex_numbers[v.index()], arrangement.is_at_infinity(v), &mut text);
         }
-        put(&mut text, format_args!(" curve {}\n", curve_numbers[arrangement.support(e).index()]));
+        put(&mut text, format_args!(" curve {}\n", curve_numbers[e.index()]));
     }
 
     let mut ccbs_of_faces: Vec<Vec<HalfedgeId>> = vec![Vec::new(); dcel.face_bound()];

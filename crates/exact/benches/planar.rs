@@ -1,29 +1,16 @@
 //! Nanoseconds per call of the predicates and constructions of `exact::planar`, at several widths.
 //!
-//! `cargo run --release -p splitstar-exact --example planar_times`
+//! `cargo bench -p splitstar-exact --bench planar`
 
 #![allow(clippy::print_stdout)]
 
+mod common;
+
+use common::{INPUTS, Random, time};
 use exact::planar::{Line2, Point2, compare_xy, side_of_line};
 use exact::{Integer, Rational};
-use std::hint::black_box;
-use std::time::Instant;
-
-/// So many that the branch predictor does not learn the answers by heart, few enough for the cache.
-const INPUTS: usize = 4096;
-const PASSES: u32 = 40;
-
-/// splitmix64
-struct Random(u64);
 
 impl Random {
-    fn next(&mut self) -> u64 {
-        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (self.0 ^ (self.0 >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }
-
     /// Not negative.
     fn coordinates(&mut self, bits: u32) -> [Integer; 2] {
         [(); 2].map(|()| {
@@ -78,21 +65,7 @@ fn point(coordinates: [Integer; 2]) -> Point2 {
     Point2::from_rationals(&coordinates.map(Rational::from))
 }
 
-/// The least time of a pass, per call.
-fn time<T, R>(inputs: &[T], mut call: impl FnMut(&T) -> R) -> f64 {
-    let mut least = f64::INFINITY;
-    for _ in 0..PASSES {
-        let start = Instant::now();
-        for input in inputs {
-            black_box(call(black_box(input)));
-        }
-        least = least.min(start.elapsed().as_nanos() as f64);
-    }
-    least / inputs.len() as f64
-}
-
 fn main() {
-    println!("Line2 {} bytes, Point2 {} bytes", size_of::<Line2>(), size_of::<Point2>());
     for bits in [20, 22, 29, 31, 40, 53, 60, 64, 100] {
         let mut random = Random(bits.into());
         let explicit: Vec<_> = (0..INPUTS).map(|_| [(); 2].map(|()| random.point(bits))).collect();
