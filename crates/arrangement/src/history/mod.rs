@@ -264,6 +264,9 @@ impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> ArrangementWithHis
 
     /// The inputs that have an end at a vertex, pass there or have a point there, each once, in the order of their ids.
     ///
+    /// # Panics
+    /// If there never was such a vertex.
+    ///
     /// # Complexity
     /// O(k log k), if k inputs run along the edges at the vertex, each counted as often as it does.
     pub fn curves_at(&self, v: VertexId) -> Vec<InputId> {
