@@ -14,6 +14,7 @@
 //! | [`overlay`] | all cells of several arrangements cut by one another, with provenance |
 //! | [`Editor`] | an arrangement to which curves and points come and from which they go one by one; location |
 //! | [`edit`] | the primitive changes of an arrangement, and those who watch them: observers, stamps, undo |
+//! | [`location`] | in which cell a point lies, and what is straight above or below it: one trait, several strategies |
 //! | [`zone`] | the cells that a curve meets, in their order |
 //! | [`history`] | arrangements that know which input runs along which edge, and from which inputs can be removed |
 //! | [`Arrangement`] | the cells: [`Arrangement::of_curves`], [`Arrangement::insert_curves`], [`Arrangement::counts`] |
@@ -147,6 +148,7 @@ pub mod edit;
 mod editor;
 pub mod history;
 mod insert;
+pub mod location;
 pub mod models;
 pub mod overlay;
 mod queries;

@@ -31,9 +31,9 @@ mod undo;
 use crate::arrangement::Arrangement;
 use crate::edit::{Observer, Operation, Stale};
 use crate::overlay::Cell;
-use crate::topology::{Site, Topology};
+use crate::topology::Topology;
 use crate::traits::UMonotoneTraits;
-use crate::trapezoids::{Found, Toward, Trapezoids, side};
+use crate::trapezoids::Trapezoids;
 pub use global::Renumbering;
 pub(crate) use hooks::Came;
 pub use merge::{MergedEdges, VertexNeed, VertexNeeded};
@@ -173,21 +173,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Expected O(log n) if curves came in random order. A face is named by an edge of its boundary, so holes cost nothing; on identified
     /// sides it may take a step for each vertex there from which no edge goes to the right.
     pub fn locate(&self, point: &G::Point) -> Cell {
-        let arrangement = &self.arrangement;
-        let place = Site::of_point(arrangement.topology(), arrangement.traits(), point);
-        match self.trapezoids.search(arrangement, &place, &Toward::Here).0 {
-            Found::Site(site) => Cell::Vertex(self.trapezoids.vertex(site)),
-            Found::Within(t) => {
-                let below = self.trapezoids.trapezoid(t).below;
-                if !below.is_none() {
-                    let rail = self.trapezoids.rail(below);
-                    if side(arrangement, &place, &arrangement.curves()[rail.curve as usize]).is_eq() {
-                        return Cell::Edge(rail.edge);
-                    }
-                }
-                Cell::Face(self.trapezoids.face_of(arrangement, t))
-            }
-        }
+        self.trapezoids.locate(&self.arrangement, point)
     }
 
     /// Does an operation of a user between the brackets that observers see.

@@ -8,6 +8,7 @@
 //! |---|---|
 //! | `mod` | records |
 //! | `search` | the trapezoid of a place; the side of a curve on which a place lies |
+//! | `locate` | the cell of a point, and what a vertical ray from it meets |
 //! | `insert`, `remove` | vertices and edges come and go |
 //! | `rails` | edges are split and merged |
 //! | `faces` | the face of a trapezoid, and trapezoids that are next to one another |
@@ -35,6 +36,7 @@ mod ends;
 mod faces;
 mod follow;
 mod insert;
+mod locate;
 mod rails;
 mod remove;
 mod seams;

