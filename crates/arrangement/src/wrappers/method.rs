@@ -32,6 +32,8 @@ methods! {
     CompareU compare_u,
     OrderKey order_key,
     CompareUv compare_uv,
+    IsCanonical is_canonical,
+    IsOwnCurve is_own_curve,
     EndPoint end_point,
     IsVertical is_vertical,
     CompareVAtU compare_v_at_u,
