@@ -1,7 +1,7 @@
 //! All is numbered anew, dropped, or swept again: no id stays what it was.
 
 use super::Editor;
-use crate::arrangement::build::Builder;
+use crate::arrangement::build::{Builder, CORNER_FACE};
 use crate::arrangement::{CurveId, Parts};
 use crate::edit::Observer;
 use crate::insert::Pieces;
@@ -87,6 +87,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                 })
                 .collect();
             let cells = dcel.compact();
+            arrangement.corner_face = cells.face(arrangement.corner_face).expect("the corner face stays");
             keep(&mut arrangement.curves, |i| is_used[i]);
             keep(supports, |i| cells.edge(EdgeId::new(i)).is_some());
             for support in supports {
@@ -115,6 +116,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                 is_artificial: built.is_artificial,
                 curves: Vec::new(),
                 supports: Vec::new(),
+                corner_face: CORNER_FACE,
             });
         });
         self.trapezoids = Trapezoids::of(&self.arrangement);

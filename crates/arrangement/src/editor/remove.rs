@@ -9,8 +9,8 @@ use dcel::{EdgeId, EndFate, Removed, VertexId};
 impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Removes an edge. A vertex that is left without edges goes, too.
     ///
-    /// If there were two faces beside the edge, they become one, which has the id of the [corner face] if that is one of the two, else
-    /// of the face that had more CCBs and isolated vertices. The kinds of CCBs in the answer are settled when it is given.
+    /// If there were two faces beside the edge, they become one, which has the id of the face that had more CCBs and isolated vertices. If
+    /// the other one was the [corner face], it is the corner face then. The kinds of CCBs in the answer are settled when it is given.
     ///
     /// Degenerate: a vertex that stands for a side stays. A vertex of which two edges are left that are one curve stays, too: see
     /// [`Editor::merge_edges`]. An artificial vertex that is left with one edge or none becomes an ordinary
