@@ -6,6 +6,7 @@
 mod check;
 mod draw;
 mod family;
+mod rays;
 mod scan;
 mod steps;
 
