@@ -1,17 +1,20 @@
 //! Strategies of point location that need no preparation, and those that follow edits.
 
-use super::family::Family;
+use super::drawn::Drawn;
 use super::steps::World;
+use crate::family::Family;
 use exact::planar::Point2;
 use splitstar_arrangement::location::{Naive, PointLocation, VerticalRay, Walk};
 
-impl<F: Family> World<F> {
+/// A strategy, with its name.
+type Named<'a, F> = (&'a str, &'a dyn PointLocation<<F as Family>::Traits, <F as Family>::Surface>);
+
+impl<F: Drawn> World<F> {
     /// Checks that all strategies find the same, and that rays do.
     pub(super) fn check_rays(&self, points: &[Point2]) {
         let arrangement = self.editor.arrangement();
         let map = &self.editor.observers().2;
-        let strategies: [(&str, &dyn PointLocation<F::Traits, F::Surface>); 2] =
-            [("walk", &Walk), ("trapezoids", map)];
+        let strategies: [Named<'_, F>; 2] = [("walk", &Walk), ("trapezoids", map)];
         for point in points {
             let cell = Naive.locate(arrangement, point);
             let hits = VerticalRay::BOTH.map(|ray| Naive.shoot(arrangement, point, ray));
