@@ -38,6 +38,7 @@ impl<F: Drawn> World<F> {
                 assert_eq!(cell, expected, "at {point}, one sweep against a scan");
             }
         }
+        self.check_rays(&points);
     }
 
     /// A place in the interior of an edge.

@@ -7,13 +7,15 @@ use crate::family::{CurveOf, Family};
 use crate::swept_again::swept_again;
 use dcel::{EdgeId, EndFate, FaceId, VertexId};
 use splitstar_arrangement::edit::{Mirror, Undo};
+use splitstar_arrangement::location::TrapezoidalMap;
 use splitstar_arrangement::overlay::Cell;
 use splitstar_arrangement::traits::{
     ArrangementTraits, BasicTraits, CurveEnd, Intersection, Piece, UMonotoneTraits,
 };
 use splitstar_arrangement::{Arrangement, Editor, Pieces, locate_all};
 
-type Watched<F> = (Undo<<F as Family>::Traits>, Mirror<<F as Family>::Traits>);
+type Watched<F> =
+    (Undo<<F as Family>::Traits>, Mirror<<F as Family>::Traits>, TrapezoidalMap<<F as Family>::Traits>);
 
 /// Who writes down what is done.
 pub(crate) type Log<'a> = &'a mut dyn FnMut(String);
@@ -41,7 +43,7 @@ pub(super) struct World<F: Drawn> {
 impl<F: Drawn> World<F> {
     pub(super) fn new(family: F) -> Self {
         let empty = Arrangement::new(family.traits(), family.surface());
-        let observers = (Undo::new(&empty), Mirror::new(&empty));
+        let observers = (Undo::new(&empty), Mirror::new(&empty), TrapezoidalMap::new(&empty));
         let editor = Editor::with_observers(empty, observers).expect("the observers have just begun");
         Self { family, editor, past: Vec::new() }
     }
