@@ -118,6 +118,7 @@ impl Pieces {
         let [from, to] = ends.map(|site| self.columns.of(site));
         let above = decomposition.above(Some(e)).map(TrapezoidId);
         let below = decomposition.below(Some(e)).iter().copied();
+        cuts.clear();
         for (t, side) in below.clone().map(|t| (t, 0)).chain(above.clone().map(|t| (t, 1))) {
             let trapezoid = decomposition.trapezoid(t);
             let columns = self.columns.of_trapezoid(&trapezoid);
