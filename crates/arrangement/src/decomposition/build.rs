@@ -32,7 +32,9 @@ fn sweep_over<G: UMonotoneTraits, T: Topology<G>>(arrangement: &Arrangement<G, T
     let dcel = arrangement.dcel();
     let site_count = input.site_count();
     let corner = arrangement.corner_face();
-    let mut trapezoids = Vec::with_capacity(1 + site_count + dcel.edge_count());
+    let count = 1 + site_count + dcel.edge_count();
+    assert!(u32::try_from(count).is_ok(), "a decomposition has fewer than 2^32 trapezoids");
+    let mut trapezoids = Vec::with_capacity(count);
     trapezoids.push(TrapezoidRecord { left: NONE, right: NONE, below: NONE, above: NONE });
     let mut decomposer = Decomposer {
         arrangement,

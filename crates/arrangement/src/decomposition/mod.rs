@@ -10,7 +10,7 @@
 //! | the list | `mod`, `records` | trapezoids, sites, and which are next to one another |
 //! | | `walls` | what is straight above and below each vertex |
 //! | making it | `build`, `order` | a visitor of the sweep; trapezoids numbered along edges |
-//! | the complex | `complex` | trapezoids, walls and pieces of edges as cells |
+//! | the complex | `complex` | trapezoids, walls and pieces of edges as cells, with an example |
 //!
 //! A vertex of the surface has several places in the parameter space if sides are identified, and one for each edge if it stands for
 //! a side. So walls begin at *sites*. They end at the sides of the parameter space at the latest, also where these are identified.
@@ -102,7 +102,7 @@ impl VerticalDecomposition {
     /// Decomposes an arrangement.
     ///
     /// # Panics
-    /// With 2^31 vertices and edges or more.
+    /// With 2^32 trapezoids or more.
     ///
     /// # Complexity
     /// O(n log n) for n cells.
@@ -217,7 +217,7 @@ impl VerticalDecomposition {
 
     /// Tells whether there is nothing in a trapezoid, because
     /// - its two walls have one u: it is there only because of the shear, or is a piece of the left or right side; or
-    /// - it is between an identified bottom side and an edge along that.
+    /// - it is between an identified bottom side and an edge along that: one that begins and ends there is taken for such an edge.
     ///
     /// # Panics
     /// If there is no such trapezoid.

@@ -12,7 +12,7 @@ pub enum WallEnd {
     Vertex(VertexId),
     /// An edge, in its interior.
     Edge(EdgeId),
-    /// A side of the parameter space, where no vertex is that is a point.
+    /// A side of the parameter space, where no site is.
     Side,
     /// Nothing, because the wall has no length: a vertical edge goes the same way, or the site is on the side to which the wall would go.
     Nothing,
