@@ -4,6 +4,7 @@
 //!
 //! | strategy | prepares | a query | follows edits |
 //! |---|---|---|---|
+//! | [`Landmarks`] | O(n log n) | a k-d tree, and a walk that is expected to be short | no: made anew |
 //! | [`TrapezoidalMap`] | expected O(n log n) | expected O(log n) | as an observer |
 //!
 //! Many points at once are found by one sweep: [`locate_all`](crate::locate_all). An [`Editor`](crate::Editor) keeps a trapezoidal map
@@ -12,12 +13,14 @@
 //! # References
 //! Thesis, sections 2.4.5 and 6.1.3.
 
+mod landmarks;
 mod trapezoidal;
 
 use crate::arrangement::Arrangement;
 use crate::edit::Stale;
 use crate::overlay::Cell;
 use crate::traits::BasicTraits;
+pub use landmarks::{LandmarkGenerator, Landmarks};
 pub use trapezoidal::TrapezoidalMap;
 
 /// Which way a vertical ray goes: v grows, or falls, and u stays.

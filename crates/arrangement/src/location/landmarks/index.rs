@@ -47,7 +47,8 @@ impl Index {
             landmarks.iter().flat_map(|landmark| landmark.at).fold(0.0, |most: f64, value| most.max(value.abs()));
         let scale = if greatest > 0.0 { greatest.recip().clamp(f64::MIN_POSITIVE, f64::MAX) } else { 1.0 };
         for landmark in &mut landmarks {
-            landmark.at = landmark.at.map(|value| value * scale);
+            // Adding zero makes the negative zero positive.
+            landmark.at = landmark.at.map(|value| value * scale + 0.0);
         }
         landmarks.sort_by(|a, b| a.at[0].total_cmp(&b.at[0]).then(a.at[1].total_cmp(&b.at[1])));
         landmarks.dedup_by(|a, b| a.at.map(f64::to_bits) == b.at.map(f64::to_bits));
