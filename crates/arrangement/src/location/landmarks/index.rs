@@ -58,7 +58,7 @@ impl Index {
     /// The landmark nearest to a place: any, if the place is not finite; `None` if there is no landmark.
     pub(super) fn nearest(&self, place: [f64; 2]) -> Option<Start> {
         // What is so far away has all landmarks in about the same distance.
-        const FAR: f64 = (1_u128 << 100) as f64;
+        const FAR: f64 = (1_u32 << 20) as f64;
         let place = place.map(|value| (value * self.scale).clamp(-FAR, FAR));
         self.tree.nearest(&place).or(self.tree.first()).map(|landmark| landmark.start)
     }
