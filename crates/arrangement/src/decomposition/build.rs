@@ -13,7 +13,9 @@ use crate::traits::{Along, BasicTraits, Location, UMonotoneTraits};
 use dcel::{EdgeId, FaceId, VertexId};
 use std::ops::ControlFlow;
 
-pub(super) fn build<G: UMonotoneTraits, T: Topology<G>>(arrangement: &Arrangement<G, T>) -> VerticalDecomposition {
+pub(super) fn build<G: UMonotoneTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+) -> VerticalDecomposition {
     let swept = sweep_over(arrangement);
     number(arrangement, swept)
 }
@@ -51,7 +53,10 @@ fn sweep_over<G: UMonotoneTraits, T: Topology<G>>(arrangement: &Arrangement<G, T
 }
 
 /// Numbers trapezoids by the edge below, and lists them by the one above.
-fn number<G: BasicTraits, T: Topology<G>>(arrangement: &Arrangement<G, T>, swept: Swept) -> VerticalDecomposition {
+fn number<G: BasicTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    swept: Swept,
+) -> VerticalDecomposition {
     let Swept { trapezoids: raw, mut sites, mut bare_faces } = swept;
     let dcel = arrangement.dcel();
     let (numbers, first_above) = number_by_below(&raw, dcel.edge_bound());
@@ -166,7 +171,10 @@ impl<G: BasicTraits, T: Topology<G>> SweepVisitor<G> for Decomposer<'_, '_, G, T
 
     fn event(&mut self, event: &Event<'_, G>, around: &mut Around<'_, Self::Tag>) -> ControlFlow<()> {
         let Some(vertex) = self.vertex(event) else {
-            debug_assert!(around.left.is_empty() && around.right.is_empty(), "no edge passes through a vertex");
+            debug_assert!(
+                around.left.is_empty() && around.right.is_empty(),
+                "no edge passes through a vertex"
+            );
             return ControlFlow::Continue(());
         };
         let location = event.site.location;
