@@ -12,3 +12,4 @@ mod rectangle;
 mod strip;
 mod tables;
 mod transposed;
+mod tube;
