@@ -17,7 +17,9 @@ use std::ops::ControlFlow;
 ///
 /// # Preconditions
 /// Where sides of the parameter space are identified, points have the coordinates by which the traits know them: on a torus, those
-/// that [`TorusSegmentTraits::point`] gives, at least zero and below the periods. With other ones the result is not valid.
+/// that [`TorusSegmentTraits::point`] gives, at least zero and below the periods. Curves are made by the traits of the arrangement, or
+/// by equal ones. With other ones the result is not valid; [`BasicTraits::is_canonical`] and [`BasicTraits::is_own_curve`] tell. Debug
+/// builds ask them on insertion, and panic.
 ///
 /// # Examples
 ///

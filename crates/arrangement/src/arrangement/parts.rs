@@ -31,7 +31,8 @@ pub struct Parts<G: BasicTraits> {
 impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// Puts an arrangement together, whatever the parts are.
     ///
-    /// Points and curves must be of this surface: on a torus, coordinates of points are below the periods.
+    /// Points and curves must be of this surface, which is looked at, too: on a torus, coordinates of points are at least zero and below
+    /// the periods, and curves are those of a torus with the same periods.
     ///
     /// # Errors
     /// What [`Arrangement::check_valid`] finds; of edges that meet and cells in wrong faces only the first few.

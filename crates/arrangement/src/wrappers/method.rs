@@ -31,7 +31,12 @@ macro_rules! methods {
 methods! {
     CompareU compare_u,
     OrderKey order_key,
+    OrderRange order_range,
+    SideKey side_key,
+    CompareVAtUByKey compare_v_at_u_by_key,
     CompareUv compare_uv,
+    IsCanonical is_canonical,
+    IsOwnCurve is_own_curve,
     EndPoint end_point,
     IsVertical is_vertical,
     CompareVAtU compare_v_at_u,
