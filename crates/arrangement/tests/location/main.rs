@@ -7,6 +7,9 @@ mod agree;
 #[path = "../harness/curves.rs"]
 #[allow(dead_code, reason = "the harness uses all of it")]
 mod curves;
+#[path = "../common/family.rs"]
+#[allow(dead_code, reason = "the harness uses all of it")]
+mod family;
 #[path = "../harness/models.rs"]
 #[allow(dead_code, reason = "the harness uses all of it")]
 mod models;

@@ -14,29 +14,6 @@ use splitstar_arrangement::topology::Topology;
 use splitstar_arrangement::traits::{ApproxTraits, BasicTraits, CurveEnd, LandmarkTraits, SideKind};
 use testkit::Rng;
 
-impl<const MEET_ONCE: bool> ApproxTraits for Strip<MEET_ONCE> {
-    fn approx_point(&self, p: &Point2) -> [f64; 2] {
-        p.approx_f64()
-    }
-
-    fn approx_curve(
-        &self,
-        curve: &Self::UMonotoneCurve,
-        _: Option<&Point2>,
-        _: Option<&Point2>,
-        _: [f64; 4],
-        out: &mut Vec<[f64; 2]>,
-    ) {
-        out.extend(CurveEnd::BOTH.map(|end| curve.place(end).approx_f64()));
-    }
-}
-
-impl<const MEET_ONCE: bool> LandmarkTraits for Strip<MEET_ONCE> {
-    fn approx_to_point(&self, parameters: [f64; 2]) -> Option<Point2> {
-        Point2::from_f64s(parameters).filter(|place| self.point_of_place(place).as_ref() == Some(place))
-    }
-}
-
 /// Where an edge ends in the closed strip.
 fn place_of(made: &Made<true>, e: EdgeId, end: CurveEnd) -> [Rational; 2] {
     let curve = made.curve_of(e);
