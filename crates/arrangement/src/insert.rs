@@ -277,11 +277,33 @@ impl<G: ArrangementTraits, T: Topology<G>> Arrangement<G, T> {
     }
 
     /// Inserts general curves, by one sweep over them and the edges that are there: see [`Arrangement::insert_pieces`].
+    ///
+    /// # Complexity
+    /// As of [`Arrangement::insert_pieces`].
     pub fn insert_curves<'a>(&mut self, curves: impl IntoIterator<Item = &'a G::Curve>) -> Provenance
     where
         G::Curve: 'a,
     {
-        let pieces = Pieces::of_curves(&self.traits, curves);
+        self.insert_curves_and_points(curves, [])
+    }
+
+    /// Inserts general curves and points, by one sweep over them and the edges that are there: see [`Arrangement::insert_pieces`].
+    ///
+    /// # Preconditions
+    /// Those of [`Pieces`] on points.
+    ///
+    /// # Complexity
+    /// As of [`Arrangement::insert_pieces`].
+    pub fn insert_curves_and_points<'a>(
+        &mut self,
+        curves: impl IntoIterator<Item = &'a G::Curve>,
+        points: impl IntoIterator<Item = G::Point>,
+    ) -> Provenance
+    where
+        G::Curve: 'a,
+    {
+        let mut pieces = Pieces::of_curves(&self.traits, curves);
+        pieces.points.extend(points);
         self.insert_pieces(pieces)
     }
 }

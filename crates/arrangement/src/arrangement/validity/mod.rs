@@ -59,6 +59,8 @@ pub enum Violation {
     Overlap(EdgeId, EdgeId),
     /// What is at or beside the vertex lies in the first face by the cells, and in the second one by the geometry.
     WrongFace(VertexId, FaceId, FaceId),
+    /// The face is said to be the [corner face](Arrangement::corner_face), and is none or does not have the corner.
+    CornerFace(FaceId),
     /// The sweep did not come to the vertex, or not with its edges.
     Unseen(VertexId),
 }
@@ -89,6 +91,7 @@ impl fmt::Display for Violation {
             Self::WrongFace(v, by_cells, found) => {
                 write!(f, "at vertex {} face {} is said to be where face {} is", v.0, by_cells.0, found.0)
             }
+            Self::CornerFace(face) => write!(f, "face {} does not have the corner of the surface", face.0),
             Self::Unseen(v) => write!(f, "a sweep does not come to vertex {} with its edges", v.0),
         }
     }
@@ -121,6 +124,9 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
             && self.supports.len() >= self.dcel.edge_bound();
         if !are_complete {
             found.push(Violation::Records);
+        }
+        if !self.dcel.has_face(self.corner_face) {
+            found.push(Violation::CornerFace(self.corner_face));
         }
         if !found.is_empty() {
             return found;

@@ -6,8 +6,9 @@ use crate::arrangement::Arrangement;
 use crate::editor::Editor;
 use crate::models::polycurve::PolycurveTraits;
 use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusSegmentTraits};
-use crate::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
-use crate::traits::BasicTraits;
+use crate::random::{Numbers, random_cylinder, random_lines, random_paths, random_segments};
+use crate::topology::{BoundedPlane, FlatTorus, Topology, UnboundedPlane};
+use crate::traits::{BasicTraits, UMonotoneTraits};
 use dcel::{EdgeId, FaceId, VertexId};
 use exact::planar::Point2;
 
@@ -230,4 +231,31 @@ fn faces() {
     bad.dcel.move_ccb(hole, FaceId(0));
     let found = bad.check_valid();
     assert!(!found.is_empty() && found.iter().all(|v| matches!(v, V::WrongFace(..))), "{found:?}");
+}
+
+fn check_corner_faces<G: UMonotoneTraits, T: Topology<G>>(mut arrangement: Arrangement<G, T>) -> usize {
+    let corner = arrangement.corner_face();
+    assert_eq!(arrangement.check_valid(), []);
+    let faces: Vec<FaceId> = (0..=arrangement.dcel.face_bound()).map(FaceId::new).collect();
+    for &f in faces.iter().filter(|&&f| f != corner) {
+        arrangement.corner_face = f;
+        assert_eq!(arrangement.check_valid(), [V::CornerFace(f)]);
+    }
+    faces.len() - 1
+}
+
+/// Every other face is refused as the corner face, and so is one that is none.
+#[test]
+fn corner_faces() {
+    assert_eq!(check_corner_faces(plane(&SQUARES, &[[1, 1]])), 3);
+    assert_eq!(check_corner_faces(plane(&[], &[[1, 1]])), 1);
+    let mut refused = 0;
+    for seed in 1..60 {
+        let mut numbers = Numbers::of_seed(seed);
+        refused += check_corner_faces(random_segments(&mut numbers, 9).arrangement());
+        refused += check_corner_faces(random_lines(&mut numbers, 6).arrangement());
+        refused += check_corner_faces(random_paths(&mut numbers, 5).arrangement());
+        refused += check_corner_faces(random_cylinder(&mut numbers, 5).arrangement());
+    }
+    assert!(refused > 500, "{refused}");
 }

@@ -144,7 +144,7 @@ impl<F: Drawn> World<F> {
         let point = self.family.point(draw);
         let texts: Vec<String> = curves.iter().map(|curve| self.text(curve)).collect();
         log(format!("insert at once {texts:?} and {point}"));
-        self.editor.insert_all(&curves, [point]);
+        self.editor.insert_curves_and_points(&curves, [point]);
         self.forget();
     }
 
