@@ -11,7 +11,7 @@ use splitstar_arrangement::locate_all;
 use splitstar_arrangement::location::{LandmarkGenerator, Landmarks, PointLocation, VerticalRay};
 use splitstar_arrangement::overlay::Cell;
 use splitstar_arrangement::topology::Topology;
-use splitstar_arrangement::traits::{ApproxTraits, BasicTraits, CurveEnd, LandmarkTraits, SideKind};
+use splitstar_arrangement::traits::{BasicTraits, CurveEnd, SideKind};
 use testkit::Rng;
 
 /// Where an edge ends in the closed strip.

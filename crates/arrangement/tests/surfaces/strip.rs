@@ -4,9 +4,9 @@ use exact::planar::{Point2, compare_x, compare_y};
 use splitstar_arrangement::models::{Segment, SegmentTraits};
 use splitstar_arrangement::topology::{Site, SiteAt, Topology};
 use splitstar_arrangement::traits::{
-    Along, ApproxTraits, BasicTraits, BoundaryTraits, ClosedBottomTopTraits, ContractedBottomTopTraits, CurveEnd,
-    IdentifiedLeftRightTraits, Intersection, LandmarkTraits, Location, Meeting, Multiplicity, NearBottomTopTraits,
-    NearLeftRightTraits, OpenBottomTopTraits, SideKind, Sides, UMonotoneTraits, Window,
+    Along, ApproxTraits, BasicTraits, BoundaryTraits, ClosedBottomTopTraits, ContractedBottomTopTraits,
+    CurveEnd, IdentifiedLeftRightTraits, Intersection, LandmarkTraits, Location, Meeting, Multiplicity,
+    NearBottomTopTraits, NearLeftRightTraits, OpenBottomTopTraits, SideKind, Sides, UMonotoneTraits, Window,
 };
 use std::cmp::Ordering;
 

@@ -7,8 +7,8 @@ use splitstar_arrangement::models::{Segment, SegmentTraits};
 use splitstar_arrangement::topology::{Site, SiteAt, Topology};
 use splitstar_arrangement::traits::{
     Along, ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, ContractedLeftRightTraits, CurveEnd,
-    IdentifiedBottomTopTraits, Intersection, LandmarkTraits, Location, Meeting, Multiplicity, NearLeftRightTraits,
-    OpenLeftRightTraits, Piece, SideKind, Sides, UMonotoneTraits, Window,
+    IdentifiedBottomTopTraits, Intersection, LandmarkTraits, Location, Meeting, Multiplicity,
+    NearLeftRightTraits, OpenLeftRightTraits, Piece, SideKind, Sides, UMonotoneTraits, Window,
 };
 use std::cmp::Ordering;
 
