@@ -24,8 +24,8 @@ pub use segment::TorusSegment;
 use super::straight::{self, Straight};
 use crate::traits::{
     Along, ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, CurveEnd, DirectionalTraits,
-    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, Location, Meeting, Multiplicity,
-    Piece, UMonotoneTraits, Window,
+    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, LandmarkTraits, Location, Meeting,
+    Multiplicity, Piece, UMonotoneTraits, Window,
 };
 use exact::planar::{Point2, compare_x, compare_xy, compare_y, side_of_key};
 use exact::{Rational, Sign};
@@ -359,6 +359,12 @@ impl ApproxTraits for TorusSegmentTraits {
     ) {
         let ends = [(CurveEnd::Min, min), (CurveEnd::Max, max)];
         out.extend(ends.map(|(end, p)| Self::place_of(curve, end, p).approx_f64()));
+    }
+}
+
+impl LandmarkTraits for TorusSegmentTraits {
+    fn approx_to_point(&self, parameters: [f64; 2]) -> Option<Point2> {
+        Point2::from_f64s(parameters).map(|point| self.point(&point))
     }
 }
 
