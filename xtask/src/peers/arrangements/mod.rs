@@ -4,13 +4,14 @@
 //! |---|---|
 //! | `task` | an operation and its input: which curves, drawn by `testkit`, and their text for other programs |
 //! | `rows` | the tasks of the table, what must be found, who else runs, and what must be reached |
-//! | `ours`, `edits` | the places where the library is called: arrangements are made and asked, and edited |
+//! | `ours`, `edits`, `places` | where the library is called: arrangements are made, edited, and asked where points lie |
 //! | `once` | one task in a process of its own, whose memory and processor time are measured |
 //! | `table` | runs of one row, the ratios, what failed, and the JSON of it |
 
 mod edits;
 mod once;
 mod ours;
+mod places;
 mod rows;
 mod table;
 mod task;
