@@ -4,6 +4,8 @@
 //!
 //! | strategy | prepares | a query | follows edits |
 //! |---|---|---|---|
+//! | [`Naive`] | nothing | O(n) | as it prepares nothing |
+//! | [`Walk`] | nothing | sizes of the faces along a vertical line | as it prepares nothing |
 //! | [`TrapezoidalMap`] | expected O(n log n) | expected O(log n) | as an observer |
 //!
 //! Many points at once are found by one sweep: [`locate_all`](crate::locate_all). An [`Editor`](crate::Editor) keeps a trapezoidal map
@@ -12,13 +14,18 @@
 //! # References
 //! Thesis, sections 2.4.5 and 6.1.3.
 
+mod naive;
+mod over;
 mod trapezoidal;
+mod walk;
 
 use crate::arrangement::Arrangement;
 use crate::edit::Stale;
 use crate::overlay::Cell;
 use crate::traits::BasicTraits;
+pub use naive::Naive;
 pub use trapezoidal::TrapezoidalMap;
+pub use walk::Walk;
 
 /// Which way a vertical ray goes: v grows, or falls, and u stays.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -56,8 +63,11 @@ pub trait PointLocation<G: BasicTraits, T> {
     /// which the ray begins is met: at once.
     ///
     /// The ray ends at sides of the parameter space: where it comes to a contracted one at whose vertex curves end, the answer is that vertex.
-    /// Where bottom and top are identified it goes on, on the other side. If it comes back to where it started, that is what it meets: the
-    /// vertex or edge there; or nothing, and the face is the answer.
+    /// Where bottom and top are identified it goes on, on the other side: what lies on these sides comes first, and then what is next to
+    /// the opposite one. If it comes back to where it started, that is what it meets: the vertex or edge there; or nothing, and the face is
+    /// the answer. Where left and right are identified, a ray from there runs along the seam, and meets the vertices and edges on it.
+    ///
+    /// From a vertex that nothing is above, the face is the one straight above it, and so downwards.
     ///
     /// # Errors
     /// As [`locate`](Self::locate).

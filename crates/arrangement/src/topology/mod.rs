@@ -50,6 +50,9 @@ pub trait Topology<G: BasicTraits>: Clone + Debug + Send + Sync {
     /// That is the left side, from bottom to top; then by u, and for one u the bottom side, the interior by v, and the top side;
     /// then the right side, from bottom to top. Ends without points are placed by the curves near them, and are equal if these
     /// have a piece in common.
+    ///
+    /// Law: where bottom and top are identified, a point of the interior may be said to be on the bottom, if the other one is there: then
+    /// the place on the bottom that has the same u is meant.
     fn compare_sites(&self, traits: &G, a: &Site<'_, G>, b: &Site<'_, G>) -> Ordering;
 
     /// Tells which vertex without a point stands for each side, left, right, bottom and top; `None` for a side whose points are

@@ -1,0 +1,132 @@
+//! Location by a walk along the vertical line through the point.
+
+use super::over::{Bar, Column, Reach};
+use super::{PointLocation, VerticalRay};
+use crate::arrangement::Arrangement;
+use crate::edit::Stale;
+use crate::overlay::Cell;
+use crate::topology::Topology;
+use crate::traits::UMonotoneTraits;
+use dcel::FaceId;
+
+/// Walks along the vertical line through the point, from face to face. Nothing is prepared.
+///
+/// The walk begins at the first edge that is found to have the u of the point, and goes towards the point: it looks for what the line
+/// meets next on the boundary of the face, crosses it, and so on until the point is not behind that.
+///
+/// # Complexity
+/// To find the beginning, O(n / k) predicates are expected if edges are in no order and k of n have the u of the point; then a number linear in
+/// the sizes of the faces that are passed.
+///
+/// # Examples
+/// ```
+/// use exact::planar::Point2;
+/// use splitstar_arrangement::location::{Naive, PointLocation, VerticalRay, Walk};
+/// use splitstar_arrangement::models::{Linear, LinearTraits};
+/// use splitstar_arrangement::{Arrangement, topology::UnboundedPlane};
+///
+/// let [p, q, r] = [[0, 0], [1, 1], [1, 0]].map(Point2::from_i64);
+/// let lines = [Linear::line(&p, &q), Linear::line(&p, &r), Linear::line(&q, &r)].map(|line| line.expect("points are different"));
+/// let arrangement = Arrangement::of_curves(LinearTraits, UnboundedPlane, &lines);
+/// for point in [[5, 2], [5, 5], [5, 0], [1, 1], [1, 7]].map(Point2::from_i64) {
+///     assert_eq!(Walk.locate(&arrangement, &point), Naive.locate(&arrangement, &point));
+///     for ray in VerticalRay::BOTH {
+///         assert_eq!(Walk.shoot(&arrangement, &point, ray), Naive.shoot(&arrangement, &point, ray));
+///     }
+/// }
+/// ```
+///
+/// # References
+/// Thesis, section 2.4.5, "walk along a line".
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub struct Walk;
+
+/// What of the boundary of a face is on the line.
+fn boundary<'a, G: UMonotoneTraits, T: Topology<G>>(
+    arrangement: &'a Arrangement<G, T>,
+    column: &'a Column<'_, G, T>,
+    face: FaceId,
+) -> impl Iterator<Item = Bar> + 'a {
+    let dcel = arrangement.dcel();
+    let halfedges = dcel.face_ccbs(face).flat_map(|ccb| dcel.ccb_cycle(ccb));
+    let along = halfedges.flat_map(|h| {
+        let vertex = Some(dcel.source(h)).filter(|&v| column.has_vertex(v));
+        let edge = Some(h.edge_id()).filter(|&e| column.has_edge(e));
+        vertex.map(Bar::Vertex).into_iter().chain(edge.map(Bar::Edge))
+    });
+    let isolated = dcel.isolated_vertices(face).filter(|&v| column.has_vertex(v));
+    along.chain(isolated.map(Bar::Vertex))
+}
+
+/// Where a walk begins.
+enum Start {
+    /// On the line.
+    Bar(Bar),
+    /// At the point.
+    There(Cell),
+}
+
+fn start<G: UMonotoneTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    column: &Column<'_, G, T>,
+) -> Option<Start> {
+    let dcel = arrangement.dcel();
+    let at_edge = dcel.edges().find_map(|e| match column.reach(e) {
+        Reach::Beside => None,
+        Reach::Across => Some(Start::Bar(Bar::Edge(e))),
+        Reach::Along if column.is_on(e) => Some(Start::There(Cell::Edge(e))),
+        Reach::Along => {
+            dcel.ends(e).into_iter().find(|&v| column.has_vertex(v)).map(|v| Start::Bar(Bar::Vertex(v)))
+        }
+    });
+    at_edge.or_else(|| dcel.vertices().find(|&v| column.has_vertex(v)).map(|v| Start::Bar(Bar::Vertex(v))))
+}
+
+fn walk<G: UMonotoneTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    column: &Column<'_, G, T>,
+) -> Cell {
+    let mut bar = match start(arrangement, column) {
+        None => return Cell::Face(column.bottom_face()),
+        Some(Start::There(cell)) => return cell,
+        Some(Start::Bar(bar)) => bar,
+    };
+    let ray = if column.compare_with_point(bar).is_lt() { VerticalRay::Up } else { VerticalRay::Down };
+    while column.compare_with_point(bar).is_ne() {
+        let along = match bar {
+            Bar::Vertex(v) => column.along(v, ray),
+            Bar::Edge(_) => None,
+        };
+        if let Some(e) = along {
+            if column.is_on(e) {
+                return Cell::Edge(e);
+            }
+            let [min, max] = arrangement.dcel().ends(e);
+            bar = Bar::Vertex(if ray == VerticalRay::Up { max } else { min });
+        } else {
+            let face = column.face_beside(bar.cell(), ray);
+            match column.next(boundary(arrangement, column, face), bar, ray) {
+                Some(next) => bar = next,
+                None => return Cell::Face(face),
+            }
+        }
+    }
+    bar.cell()
+}
+
+impl<G: UMonotoneTraits, T: Topology<G>> PointLocation<G, T> for Walk {
+    fn locate(&self, arrangement: &Arrangement<G, T>, point: &G::Point) -> Result<Cell, Stale> {
+        Ok(walk(arrangement, &Column::new(arrangement, point)))
+    }
+
+    fn shoot(
+        &self,
+        arrangement: &Arrangement<G, T>,
+        point: &G::Point,
+        ray: VerticalRay,
+    ) -> Result<Cell, Stale> {
+        let column = Column::new(arrangement, point);
+        let cell = walk(arrangement, &column);
+        Ok(column.shoot(cell, |face| boundary(arrangement, &column, face), ray))
+    }
+}
