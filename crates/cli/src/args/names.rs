@@ -38,15 +38,22 @@ impl CellEncoding {
 /// How the cells of points are found.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Strategy {
+    Naive,
+    Walk,
+    Landmarks,
     Trapezoids,
     Sweep,
 }
 
 impl Strategy {
-    pub(super) const ALL: [Self; 2] = [Self::Trapezoids, Self::Sweep];
+    pub(super) const ALL: [Self; 5] =
+        [Self::Naive, Self::Walk, Self::Landmarks, Self::Trapezoids, Self::Sweep];
 
     pub(crate) fn name(self) -> &'static str {
         match self {
+            Self::Naive => "naive",
+            Self::Walk => "walk",
+            Self::Landmarks => "landmarks",
             Self::Trapezoids => "trapezoids",
             Self::Sweep => "sweep",
         }

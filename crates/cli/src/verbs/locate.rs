@@ -8,11 +8,11 @@ use crate::located::{Answer, LocateReport, LocateSeconds, Located};
 use crate::output;
 use crate::points::{ArrangementOperand, PointOperand};
 use crate::report::Clock;
-use splitstar::arrangement::location::{PointLocation, TrapezoidalMap, VerticalRay};
+use splitstar::arrangement::location::{Landmarks, Naive, PointLocation, TrapezoidalMap, VerticalRay, Walk};
 use splitstar::arrangement::overlay::Cell;
 use splitstar::arrangement::sweep::Progress;
 use splitstar::arrangement::topology::Topology;
-use splitstar::arrangement::traits::UMonotoneTraits;
+use splitstar::arrangement::traits::{ApproxTraits, UMonotoneTraits};
 use splitstar::arrangement::{Arrangement, locate_all_with};
 use splitstar::formats::{CurvePoint, StarArrangement};
 use std::ops::ControlFlow;
@@ -70,8 +70,8 @@ const FEW: usize = 16;
 /// The strategy for so many points.
 fn chosen(points: usize, ray: Option<Ray>) -> Strategy {
     match ray {
+        _ if points < FEW => Strategy::Walk,
         None => Strategy::Sweep,
-        _ if points < FEW => Strategy::Trapezoids,
         Some(_) => Strategy::Trapezoids,
     }
 }
@@ -103,12 +103,15 @@ impl Work<'_> {
         }
     }
 
-    fn find<G: UMonotoneTraits, T: Topology<G>>(
+    fn find<G: UMonotoneTraits + ApproxTraits, T: Topology<G>>(
         &mut self,
         arrangement: &Arrangement<G, T>,
         points: &[G::Point],
     ) -> Vec<Cell> {
         match self.strategy {
+            Strategy::Naive => self.ask(arrangement, points, |_| Naive),
+            Strategy::Walk => self.ask(arrangement, points, |_| Walk),
+            Strategy::Landmarks => self.ask(arrangement, points, Landmarks::new),
             Strategy::Trapezoids => self.ask(arrangement, points, TrapezoidalMap::new),
             Strategy::Sweep => {
                 let tell = |progress: Progress| {

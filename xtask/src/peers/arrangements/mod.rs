@@ -30,7 +30,8 @@ pub(crate) use edits::split_off_faces;
 pub(crate) use once::{Measured, fresh};
 use rows::{Peer, ROWS, Row};
 use table::{Outcome, Run};
-pub(crate) use task::{Family, Operation, Task};
+pub(crate) use places::{Search, searches};
+pub(crate) use task::{Family, Operation, Strategy, Task};
 
 /// What the results of this command are called, beside those of the sums.
 const ENDING: &str = "-arrangements";
