@@ -6,6 +6,7 @@
 //! |---|---|---|---|
 //! | [`Naive`] | nothing | O(n) | as it prepares nothing |
 //! | [`Walk`] | nothing | sizes of the faces along a vertical line | as it prepares nothing |
+//! | [`Landmarks`] | O(n log n) | a k-d tree, and a walk that is expected to be short | no: made anew |
 //! | [`TrapezoidalMap`] | expected O(n log n) | expected O(log n) | as an observer |
 //!
 //! Many points at once are found by one sweep: [`locate_all`](crate::locate_all). An [`Editor`](crate::Editor) keeps a trapezoidal map
@@ -14,6 +15,7 @@
 //! # References
 //! Thesis, sections 2.4.5 and 6.1.3.
 
+mod landmarks;
 mod naive;
 mod over;
 mod trapezoidal;
@@ -23,6 +25,7 @@ use crate::arrangement::Arrangement;
 use crate::edit::Stale;
 use crate::overlay::Cell;
 use crate::traits::BasicTraits;
+pub use landmarks::{LandmarkGenerator, Landmarks};
 pub use naive::Naive;
 pub use trapezoidal::TrapezoidalMap;
 pub use walk::Walk;

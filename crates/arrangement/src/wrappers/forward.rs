@@ -98,6 +98,12 @@ macro_rules! forward_traits {
             }
         }
 
+        impl<G: LandmarkTraits, $($param)*> LandmarkTraits for $wrapper {
+            fn approx_to_point(&self, parameters: [f64; 2]) -> Option<Self::Point> {
+                $via!(self, ApproxToPoint, approx_to_point(plain parameters))
+            }
+        }
+
         impl<G: BoundaryTraits, $($param)*> BoundaryTraits for $wrapper {
             #[inline]
             fn end_location(&self, curve: &Self::UMonotoneCurve, end: CurveEnd) -> Location {

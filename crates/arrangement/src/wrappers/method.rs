@@ -54,6 +54,7 @@ methods! {
     Target target,
     ApproxPoint approx_point,
     ApproxCurve approx_curve,
+    ApproxToPoint approx_to_point,
     EndLocation end_location,
     CompareVNearSide compare_v_near_side,
     CompareUNearEnd compare_u_near_end,

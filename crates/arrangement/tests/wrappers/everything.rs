@@ -139,6 +139,12 @@ impl ApproxTraits for Everything {
     }
 }
 
+impl LandmarkTraits for Everything {
+    fn approx_to_point(&self, [u, _]: [f64; 2]) -> Option<i32> {
+        (u > 0.5).then_some(6)
+    }
+}
+
 impl BoundaryTraits for Everything {
     fn end_location(&self, _: &Line, end: CurveEnd) -> Location {
         Location { u: Along::High, v: if end == CurveEnd::Min { Along::Low } else { Along::Inside } }
@@ -214,6 +220,7 @@ pub(crate) trait All:
     ArrangementTraits
     + DirectionalTraits
     + ApproxTraits
+    + LandmarkTraits
     + BoundedTraits
     + ClosedLeftRightTraits
     + ClosedBottomTopTraits
@@ -231,6 +238,7 @@ impl<G> All for G where
     G: ArrangementTraits
         + DirectionalTraits
         + ApproxTraits
+        + LandmarkTraits
         + BoundedTraits
         + ClosedLeftRightTraits
         + ClosedBottomTopTraits
@@ -275,6 +283,7 @@ pub(crate) fn call_each<G: All<Point = i32>>(
         format!("{:?}", traits.source(a)),
         format!("{:?}", traits.target(a)),
         format!("{:?}", traits.approx_point(&4)),
+        format!("{:?}", traits.approx_to_point([1.0, 2.0])),
         format!("{:?}", traits.end_location(a, CurveEnd::Min)),
         format!("{:?}", traits.compare_v_near_side(a, b, CurveEnd::Min)),
         format!("{:?}", traits.compare_u_near_end(&1, a, CurveEnd::Min)),

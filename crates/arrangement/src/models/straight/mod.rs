@@ -328,6 +328,12 @@ macro_rules! straight_traits {
                 $crate::models::straight::approx_curve(curve, [min, max], window, out);
             }
         }
+
+        impl $crate::traits::LandmarkTraits for $traits {
+            fn approx_to_point(&self, parameters: [f64; 2]) -> Option<Self::Point> {
+                Self::Point::from_f64s(parameters)
+            }
+        }
     };
 }
 pub(super) use straight_traits;

@@ -24,7 +24,7 @@ pub use segment::TorusSegment;
 use super::straight::{self, Straight};
 use crate::traits::{
     Along, ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, CurveEnd, DirectionalTraits,
-    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, Location, Meeting, Multiplicity,
+    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, LandmarkTraits, Location, Meeting, Multiplicity,
     Piece, UMonotoneTraits, Window,
 };
 use exact::planar::{Point2, compare_x, compare_xy, compare_y};
@@ -333,6 +333,12 @@ impl ApproxTraits for TorusSegmentTraits {
     ) {
         let ends = [(CurveEnd::Min, min), (CurveEnd::Max, max)];
         out.extend(ends.map(|(end, p)| Self::place_of(curve, end, p).approx_f64()));
+    }
+}
+
+impl LandmarkTraits for TorusSegmentTraits {
+    fn approx_to_point(&self, parameters: [f64; 2]) -> Option<Point2> {
+        Point2::from_f64s(parameters).map(|point| self.point(&point))
     }
 }
 
