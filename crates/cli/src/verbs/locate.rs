@@ -64,13 +64,13 @@ pub(crate) fn locate(run: &Run) -> Result<(), Failure> {
     }
 }
 
-/// For fewer points than this nothing is prepared.
+/// Fewer points than this are not worth a sweep, or a search structure.
 const FEW: usize = 16;
 
 /// The strategy for so many points.
 fn chosen(points: usize, ray: Option<Ray>) -> Strategy {
     match ray {
-        _ if points < FEW => Strategy::Walk,
+        _ if points < FEW => Strategy::Naive,
         None => Strategy::Sweep,
         Some(_) => Strategy::Trapezoids,
     }

@@ -136,8 +136,8 @@ impl Operation {
     /// How many points it asks about, if it does.
     pub(super) fn queries(self) -> Option<usize> {
         match self {
-            // Every cell is looked at for each.
-            Operation::Ask(Strategy::Naive, _) => Some(FEW_QUERIES),
+            // Every cell is looked at for each, or all that is around the faces on the way.
+            Operation::Ask(Strategy::Naive | Strategy::Walk, _) => Some(FEW_QUERIES),
             Operation::Locate | Operation::Ask(..) => Some(QUERIES),
             _ => None,
         }
