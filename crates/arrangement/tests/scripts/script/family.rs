@@ -10,13 +10,13 @@ use splitstar_arrangement::models::{
     TorusSegment, TorusSegmentTraits,
 };
 use splitstar_arrangement::topology::{BoundedPlane, FlatTorus, Topology, UnboundedPlane};
-use splitstar_arrangement::traits::{ArrangementTraits, BasicTraits, CurveEnd};
+use splitstar_arrangement::traits::{ApproxTraits, ArrangementTraits, BasicTraits, CurveEnd};
 use splitstar_arrangement::wrappers::{ConsolidatedTraits, DataSet, WithData};
 use std::fmt::Debug;
 
 /// A family of curves on a surface.
 pub(super) trait Family: Debug {
-    type Traits: ArrangementTraits<Point = Point2, Curve: Debug, UMonotoneCurve: Debug> + Clone;
+    type Traits: ArrangementTraits<Point = Point2, Curve: Debug, UMonotoneCurve: Debug> + ApproxTraits + Clone;
     type Surface: Topology<Self::Traits>;
 
     fn traits(&self) -> Self::Traits;

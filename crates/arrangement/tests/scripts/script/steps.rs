@@ -5,13 +5,15 @@ use super::draw::Draw;
 use super::family::{CurveOf, Family, PieceOf};
 use dcel::{EdgeId, EndFate, FaceId, VertexId};
 use splitstar_arrangement::edit::{Mirror, Undo};
+use splitstar_arrangement::location::TrapezoidalMap;
 use splitstar_arrangement::overlay::Cell;
 use splitstar_arrangement::traits::{
     ArrangementTraits, BasicTraits, CurveEnd, Intersection, Piece, UMonotoneTraits,
 };
 use splitstar_arrangement::{Arrangement, Editor, Pieces, locate_all};
 
-type Watched<F> = (Undo<<F as Family>::Traits>, Mirror<<F as Family>::Traits>);
+type Watched<F> =
+    (Undo<<F as Family>::Traits>, Mirror<<F as Family>::Traits>, TrapezoidalMap<<F as Family>::Traits>);
 
 /// Who writes down what is done.
 pub(crate) type Log<'a> = &'a mut dyn FnMut(String);
@@ -39,7 +41,7 @@ pub(super) struct World<F: Family> {
 impl<F: Family> World<F> {
     pub(super) fn new(family: F) -> Self {
         let empty = Arrangement::new(family.traits(), family.surface());
-        let observers = (Undo::new(&empty), Mirror::new(&empty));
+        let observers = (Undo::new(&empty), Mirror::new(&empty), TrapezoidalMap::new(&empty));
         let editor = Editor::with_observers(empty, observers).expect("the observers have just begun");
         Self { family, editor, past: Vec::new() }
     }
