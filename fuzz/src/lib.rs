@@ -1,9 +1,14 @@
 //! What every fuzz target checks: of a reader, and of edits.
 
-// The tests have the same scripts, from random bytes.
+// The tests have the same scripts, from random bytes, and the same two modules beside them.
+#[path = "../../crates/arrangement/tests/common/family.rs"]
+#[allow(dead_code)]
+mod family;
 #[path = "../../crates/arrangement/tests/scripts/script/mod.rs"]
 #[allow(dead_code)]
 mod script;
+#[path = "../../crates/arrangement/tests/common/swept_again.rs"]
+mod swept_again;
 
 use exact::Rational;
 use splitstar_formats::{CurveFile, CurvePoint, Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};

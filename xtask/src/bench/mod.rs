@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `growth` | geodesic spheres and bipyramids of growing size: time and peak memory per feature |
 //! | `arrangements` | short segments of growing number: time per event |
-//! | `editing` | curves inserted one by one into growing arrangements, faces with thousands of holes: time per step |
+//! | `editing` | curves inserted one by one into growing arrangements, faces with thousands of holes: time and counted work per step (`counted`) |
 //! | `location` | points in growing arrangements: time and predicates per query |
 //! | `widths` | a histogram of coordinate widths, and the speed at given widths |
 //!
@@ -14,6 +14,7 @@
 //! Every case runs in a process of its own (`bench --case A B`), so that its peak memory is its own.
 
 mod arrangements;
+mod counted;
 mod editing;
 mod growth;
 mod location;

@@ -49,7 +49,7 @@ pub(super) enum Reach {
 #[derive(Debug)]
 pub(super) struct Column<'a, G: BasicTraits, T> {
     arrangement: &'a Arrangement<G, T>,
-    place: Site<'a, G>,
+    pub(super) place: Site<'a, G>,
 }
 
 impl<'a, G: UMonotoneTraits, T: Topology<G>> Column<'a, G, T> {
@@ -73,7 +73,7 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Column<'a, G, T> {
     }
 
     /// Compares a site with the line, by u.
-    fn beside(&self, site: &Site<'_, G>) -> Ordering {
+    pub(super) fn beside(&self, site: &Site<'_, G>) -> Ordering {
         let (here, there) = (site.location, self.place.location);
         let by_side = here.u.cmp(&there.u);
         if by_side.is_ne() || there.u != Along::Inside {
@@ -159,7 +159,7 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Column<'a, G, T> {
     }
 
     /// Tells whether the line goes on through the bottom and top side.
-    fn is_round(&self) -> bool {
+    pub(super) fn is_round(&self) -> bool {
         self.arrangement.topology().sides().is_v_identified()
     }
 
@@ -306,10 +306,15 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Column<'a, G, T> {
         if self.is_round() {
             return cell;
         }
+        self.beyond(ray).unwrap_or(Cell::Face(face))
+    }
+
+    /// The vertex of the contracted side at which a ray ends, if curves end there too.
+    pub(super) fn beyond(&self, ray: VerticalRay) -> Option<Cell> {
+        let topology = self.arrangement.topology();
         let side = usize::from(ray == VerticalRay::Up);
-        let vertex = arrangement.topology().side_vertices()[2 + side].map(VertexId);
-        let is_contracted = arrangement.topology().sides().v[side] == SideKind::Contracted;
-        let ended = vertex.filter(|&v| is_contracted && arrangement.dcel().degree(v) > 0);
-        ended.map_or(Cell::Face(face), Cell::Vertex)
+        let is_contracted = topology.sides().v[side] == SideKind::Contracted;
+        let vertex = topology.side_vertices()[2 + side].map(VertexId).filter(|_| is_contracted)?;
+        (self.arrangement.dcel().degree(vertex) > 0).then_some(Cell::Vertex(vertex))
     }
 }

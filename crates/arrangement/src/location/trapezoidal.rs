@@ -1,12 +1,13 @@
 //! Location in the vertical decomposition, by its search structure.
 
+use super::over::Column;
 use super::{PointLocation, VerticalRay};
 use crate::arrangement::Arrangement;
-use crate::edit::{Done, EditOf, Observer, Stale, Stamp};
+use crate::edit::{Done, EditOf, Observer, Operation, Stale, Stamp};
 use crate::overlay::Cell;
-use crate::topology::Topology;
-use crate::traits::UMonotoneTraits;
-use crate::trapezoids::{Follower, Trapezoids};
+use crate::topology::{Site, Topology};
+use crate::traits::{Along, Location, UMonotoneTraits};
+use crate::trapezoids::{Follower, Found, Side, Toward, TrapezoidId, Trapezoids, side as side_of};
 
 /// The trapezoidal map of an arrangement, with a search structure.
 ///
@@ -72,8 +73,95 @@ impl<G: UMonotoneTraits, T: Topology<G>> PointLocation<G, T> for TrapezoidalMap<
         ray: VerticalRay,
     ) -> Result<Cell, Stale> {
         Stale::check(self.stamp, arrangement.stamp())?;
-        Ok(self.trapezoids.shoot(arrangement, point, ray))
+        Ok(shoot(arrangement, &self.trapezoids, point, ray))
     }
+}
+
+/// What a vertical ray meets first: at most two searches.
+fn shoot<G: UMonotoneTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    trapezoids: &Trapezoids<G>,
+    point: &G::Point,
+    ray: VerticalRay,
+) -> Cell {
+    let column = Column::new(arrangement, point);
+    let side = match ray {
+        VerticalRay::Up => Side::Above,
+        VerticalRay::Down => Side::Below,
+    };
+    let cell = trapezoids.locate(arrangement, point);
+    let t = match cell {
+        Cell::Edge(e) if arrangement.traits().is_vertical(arrangement.curve_of(e)) => return cell,
+        Cell::Vertex(v) => {
+            if let Some(e) = column.along(v, ray) {
+                return Cell::Edge(e);
+            }
+            let site =
+                trapezoids.site_at(v, column.place.location).expect("a vertex has a site where its point is");
+            // What is straight above is behind the wall, in the order of places; what is straight below, before it.
+            match ray {
+                VerticalRay::Up => trapezoids.right_of(site)[1],
+                VerticalRay::Down => trapezoids.left_of(site)[0],
+            }
+        }
+        _ => beside(arrangement, trapezoids, &column.place, side),
+    };
+    if let Some(met) = end_of(arrangement, trapezoids, &column, t, side) {
+        return met;
+    }
+    if !column.is_round() {
+        return column.beyond(ray).unwrap_or_else(|| Cell::Face(trapezoids.face_of(arrangement, t)));
+    }
+    let v = if ray == VerticalRay::Up { Along::Low } else { Along::High };
+    let across = Site { location: Location { v, ..column.place.location }, at: column.place.at };
+    if let Found::Site(site) = trapezoids.find(arrangement, &across) {
+        return Cell::Vertex(trapezoids.vertex(site));
+    }
+    // An edge along both sides counts as one along the bottom.
+    let below = trapezoids.trapezoid(beside(arrangement, trapezoids, &across, Side::Below));
+    if ray == VerticalRay::Up && !below.above.is_none() {
+        let rail = trapezoids.rail(below.above);
+        if side_of(arrangement, &across, &arrangement.curves()[rail.curve as usize]).is_eq() {
+            return Cell::Edge(rail.edge);
+        }
+    }
+    let t = beside(arrangement, trapezoids, &across, side);
+    end_of(arrangement, trapezoids, &column, t, side).unwrap_or(cell)
+}
+
+/// The trapezoid straight above or below a place.
+fn beside<G: UMonotoneTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    trapezoids: &Trapezoids<G>,
+    place: &Site<'_, G>,
+    side: Side,
+) -> TrapezoidId {
+    match trapezoids.search(arrangement, place, &Toward::Straight(side)).0 {
+        Found::Within(t) => t,
+        Found::Site(_) => unreachable!("only the place itself is looked for at a site"),
+    }
+}
+
+/// What ends a vertical line through a trapezoid: the vertex of its wall if that is on the line, else the edge; `None` at a side of the
+/// parameter space.
+fn end_of<G: UMonotoneTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    trapezoids: &Trapezoids<G>,
+    column: &Column<'_, G, T>,
+    t: TrapezoidId,
+    side: Side,
+) -> Option<Cell> {
+    let trapezoid = trapezoids.trapezoid(t);
+    // Of two places with one u, the upper one is behind the other.
+    let site = if side == Side::Above { trapezoid.right } else { trapezoid.left };
+    if !site.is_none() {
+        let place = trapezoids.place(arrangement, site);
+        if place.point().is_some() && column.beside(&place).is_eq() {
+            return Some(Cell::Vertex(trapezoids.vertex(site)));
+        }
+    }
+    let rail = trapezoid.rail(side);
+    (!rail.is_none()).then(|| Cell::Edge(trapezoids.rail(rail).edge))
 }
 
 impl<G: UMonotoneTraits, T: Topology<G>> Observer<G, T> for TrapezoidalMap<G> {
@@ -84,6 +172,12 @@ impl<G: UMonotoneTraits, T: Topology<G>> Observer<G, T> for TrapezoidalMap<G> {
     fn after(&mut self, arrangement: &Arrangement<G, T>, edit: &EditOf<G>, done: &Done) {
         Follower(&mut self.trapezoids).after(arrangement, edit, done);
         self.stamp = arrangement.stamp();
+    }
+
+    fn end_operation(&mut self, arrangement: &Arrangement<G, T>, _: Operation) {
+        if self.trapezoids.is_worn() {
+            *self = Self::new(arrangement);
+        }
     }
 
     fn after_global(&mut self, arrangement: &Arrangement<G, T>) {

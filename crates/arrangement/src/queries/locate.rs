@@ -14,6 +14,9 @@ use std::ops::ControlFlow;
 /// Where sides of the parameter space are identified, points have the coordinates by which the traits know them: on a torus, those
 /// that [`TorusSegmentTraits::point`](crate::models::TorusSegmentTraits::point) gives. The answer for another point is wrong.
 ///
+/// # Panics
+/// In debug builds, if a point has other coordinates: [`BasicTraits::is_canonical`].
+///
 /// ```
 /// use exact::planar::Point2;
 /// use splitstar_arrangement::overlay::Cell;

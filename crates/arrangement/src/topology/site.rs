@@ -45,7 +45,11 @@ impl<'a, G: BasicTraits> Site<'a, G> {
     }
 
     /// A point, wherever it is.
+    ///
+    /// # Panics
+    /// In debug builds, if the traits do not know the point by its coordinates: [`BasicTraits::is_canonical`].
     pub fn of_point<T: Topology<G>>(topology: &T, traits: &G, point: &'a G::Point) -> Self {
+        debug_assert!(traits.is_canonical(point), "the traits know {point:?} by other coordinates");
         Self { location: topology.point_location(traits, point), at: SiteAt::Point(point) }
     }
 

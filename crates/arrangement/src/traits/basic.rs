@@ -89,6 +89,29 @@ pub trait BasicTraits: Send + Sync {
         None
     }
 
+    /// Tells whether a point has the coordinates by which these traits know it.
+    ///
+    /// It is asked about points that come from outside: where sides of the parameter space are identified, one point of the surface
+    /// can be written in several ways, and predicates take one of them. On a torus that is the one with coordinates that are at least
+    /// zero and below the periods. A model of which every point is written in one way leaves it out: the provided version says yes.
+    ///
+    /// Law: the end points of curves, and the points that [`UMonotoneTraits::intersect`](super::UMonotoneTraits::intersect) gives, are.
+    #[inline]
+    fn is_canonical(&self, p: &Self::Point) -> bool {
+        let _ = p;
+        true
+    }
+
+    /// Tells whether a curve is one of these traits, if traits of one type with other parameters make curves of the same type: those of
+    /// another torus, with other periods. The provided version says yes.
+    ///
+    /// Law: what [`UMonotoneTraits`](super::UMonotoneTraits) makes of such curves is.
+    #[inline]
+    fn is_own_curve(&self, curve: &Self::UMonotoneCurve) -> bool {
+        let _ = curve;
+        true
+    }
+
     /// Gives an end of a curve; `None` if that end is on an open side, where there is no point.
     ///
     /// Law: the point of `Min` is less than that of `Max`, unless one of them lies on an identified or contracted side.

@@ -1,8 +1,7 @@
-//! The cell of a point, and what a vertical ray from it meets.
+//! The cell of a point.
 
-use super::{Found, Side, Toward, TrapezoidId, Trapezoids, side};
+use super::{Found, Toward, Trapezoids, side};
 use crate::arrangement::Arrangement;
-use crate::location::VerticalRay;
 use crate::overlay::Cell;
 use crate::topology::{Site, Topology};
 use crate::traits::BasicTraits;
@@ -28,16 +27,5 @@ impl<G: BasicTraits> Trapezoids<G> {
                 Cell::Face(self.face_of(arrangement, t))
             }
         }
-    }
-
-    /// What a vertical ray from a point meets first.
-    pub(crate) fn shoot<T: Topology<G>>(
-        &self,
-        arrangement: &Arrangement<G, T>,
-        point: &G::Point,
-        ray: VerticalRay,
-    ) -> Cell {
-        let _ = (Side::Below, TrapezoidId::NONE, ray);
-        self.locate(arrangement, point)
     }
 }

@@ -9,7 +9,7 @@
 //! | `mod` | records |
 //! | `structure` | the search structure |
 //! | `search` | the trapezoid of a place; the side of a curve on which a place lies |
-//! | `locate` | the cell of a point, and what a vertical ray from it meets |
+//! | `locate` | the cell of a point |
 //! | `insert`, `remove` | vertices and edges come and go |
 //! | `rails` | edges are split and merged |
 //! | `faces` | the face of a trapezoid, and trapezoids that are next to one another |
@@ -120,7 +120,7 @@ pub(crate) struct Trapezoid {
 
 impl Trapezoid {
     #[inline]
-    fn rail(&self, side: Side) -> RailId {
+    pub(crate) fn rail(&self, side: Side) -> RailId {
         match side {
             Side::Below => self.below,
             Side::Above => self.above,

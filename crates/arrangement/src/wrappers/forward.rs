@@ -46,6 +46,16 @@ macro_rules! forward_traits {
             }
 
             #[inline]
+            fn is_canonical(&self, p: &Self::Point) -> bool {
+                $via!(self, IsCanonical, is_canonical(plain p))
+            }
+
+            #[inline]
+            fn is_own_curve(&self, curve: &Self::UMonotoneCurve) -> bool {
+                $via!(self, IsOwnCurve, is_own_curve(curve curve))
+            }
+
+            #[inline]
             fn end_point<'a>(&self, curve: &'a Self::UMonotoneCurve, end: CurveEnd) -> Option<&'a Self::Point> {
                 $via!(self, EndPoint, end_point(curve curve, plain end))
             }

@@ -35,6 +35,8 @@ methods! {
     SideKey side_key,
     CompareVAtUByKey compare_v_at_u_by_key,
     CompareUv compare_uv,
+    IsCanonical is_canonical,
+    IsOwnCurve is_own_curve,
     EndPoint end_point,
     IsVertical is_vertical,
     CompareVAtU compare_v_at_u,

@@ -1,6 +1,7 @@
 //! The laws of each predicate by itself, on random points and curves, against formulas.
 
 use crate::curves::{Curve, P, Shape};
+use crate::family::Family;
 use crate::models::{Linears, MinimalSegments, Model, Numbered, Polylinears, Polylines, Segments};
 use crate::oracle::{brute_force, crossing, has_point};
 use crate::random::random_curves;
@@ -10,7 +11,7 @@ use splitstar_arrangement::traits::{BasicTraits, CurveEnd, Intersection, Multipl
 use std::cmp::Ordering;
 use testkit::Rng;
 
-type CurveOf<M> = <<M as Model>::Traits as BasicTraits>::UMonotoneCurve;
+type CurveOf<M> = <<M as Family>::Traits as BasicTraits>::UMonotoneCurve;
 
 /// A curve of a model, and what it is.
 struct Known<M: Model> {
@@ -204,32 +205,11 @@ fn run<M: Model>(model: &M, cases: u32, are_bounded: bool) {
     assert!(pairs > cases, "{pairs} pairs");
 }
 
-#[test]
-fn segments() {
-    run(&Segments, 300, true);
-}
-
-#[test]
-fn minimal_segments() {
-    run(&MinimalSegments, 100, true);
-}
-
-#[test]
-fn linear_curves() {
-    run(&Linears, 400, false);
-}
-
-#[test]
-fn polylines() {
-    run(&Polylines, 150, true);
-}
-
-#[test]
-fn polycurves_of_linear_curves() {
-    run(&Polylinears, 200, false);
-}
-
-#[test]
-fn segments_with_data() {
-    run(&Numbered, 60, true);
+test_models! {
+    segments: Segments, 300, true;
+    minimal_segments: MinimalSegments, 100, true;
+    linear_curves: Linears, 400, false;
+    polylines: Polylines, 150, true;
+    polycurves_of_linear_curves: Polylinears, 200, false;
+    segments_with_data: Numbered, 60, true;
 }

@@ -1,6 +1,7 @@
 //! Queries that one sweep answers, against brute force: all pairs for meetings, a scan over all cells for location.
 
 use crate::curves::{Curve, P, parse, rational};
+use crate::family::Family;
 use crate::models::{Linears, MinimalSegments, Model, Numbered, Polylinears, Polylines, Segments, WideTorus};
 use crate::oracle::{Cells, EdgeKey, brute_force, ends, has_point, line_of};
 use crate::random::random_curves;
@@ -179,34 +180,13 @@ fn run(model: &impl Model, cases: u32, are_bounded: bool) {
     assert!(meetings > 300 && located > 5_000, "{meetings}, {located}");
 }
 
-#[test]
-fn segments() {
-    run(&Segments, 300, true);
-}
-
-#[test]
-fn minimal_segments() {
-    run(&MinimalSegments, 100, true);
-}
-
-#[test]
-fn linear_curves() {
-    run(&Linears, 300, false);
-}
-
-#[test]
-fn polylines() {
-    run(&Polylines, 100, true);
-}
-
-#[test]
-fn polycurves_of_linear_curves() {
-    run(&Polylinears, 100, false);
-}
-
-#[test]
-fn segments_with_data() {
-    run(&Numbered, 100, true);
+test_models! {
+    segments: Segments, 300, true;
+    minimal_segments: MinimalSegments, 100, true;
+    linear_curves: Linears, 300, false;
+    polylines: Polylines, 100, true;
+    polycurves_of_linear_curves: Polylinears, 100, false;
+    segments_with_data: Numbered, 100, true;
 }
 
 #[test]

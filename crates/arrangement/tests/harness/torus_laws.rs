@@ -58,6 +58,9 @@ fn ends_are_where_they_say() {
                 assert_eq!(traits.is_on_left_right(point), low_x.is_zero(), "seed {seed}");
                 assert_eq!(traits.is_on_bottom_top(point), low_y.is_zero(), "seed {seed}");
                 assert_eq!(point.coordinates(), [low_x, low_y], "seed {seed}");
+                assert!(traits.is_canonical(point) && traits.is_own_curve(&piece), "seed {seed}: {piece:?}");
+                let is_low = piece.place(end) == point;
+                assert_eq!(traits.is_canonical(piece.place(end)), is_low, "seed {seed}: {piece:?}");
                 on_sides += u32::from(!location.is_interior());
             }
             let [min, max] = CurveEnd::BOTH.map(|end| piece.place(end).coordinates());
@@ -133,6 +136,7 @@ fn sides_of_curves() {
                     let splitstar_arrangement::traits::Intersection::Point(p, _) = intersection else {
                         continue;
                     };
+                    assert!(traits.is_canonical(p), "seed {seed}: {a:?} {b:?}");
                     let is_interior = !traits.is_on_left_right(p) && !traits.is_on_bottom_top(p);
                     let is_max = [a, b].into_iter().any(|c| traits.end_point(c, CurveEnd::Max) == Some(p));
                     if is_interior && !is_max {

@@ -30,6 +30,14 @@ impl BasicTraits for Everything {
         q.cmp(p)
     }
 
+    fn is_canonical(&self, p: &i32) -> bool {
+        *p == 79
+    }
+
+    fn is_own_curve(&self, curve: &Line) -> bool {
+        curve.0[0] == 2
+    }
+
     fn end_point<'a>(&self, curve: &'a Line, end: CurveEnd) -> Option<&'a i32> {
         Some(&curve.0[end as usize])
     }
@@ -266,6 +274,8 @@ pub(crate) fn call_each<G: All<Point = i32>>(
         format!("{:?}", traits.compare_u(&1, &2)),
         format!("{:?}", traits.order_key(&3)),
         format!("{:?}", traits.compare_uv(&1, &2)),
+        format!("{:?}", traits.is_canonical(&79)),
+        format!("{:?}", traits.is_own_curve(a)),
         format!("{:?}", traits.end_point(a, CurveEnd::Max)),
         format!("{:?}", traits.is_vertical(a)),
         format!("{:?}", traits.compare_v_at_u(&1, a)),

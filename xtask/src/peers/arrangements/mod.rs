@@ -26,7 +26,7 @@ use serde_json::{Value, json};
 
 use super::{BUDGET, LEAST, report, setup};
 use crate::{Failure, python, shell};
-pub(crate) use edits::split_off_faces;
+pub(crate) use edits::{Holes, split_off_faces};
 pub(crate) use once::{Measured, fresh};
 use rows::{Peer, ROWS, Row};
 use table::{Outcome, Run};

@@ -185,6 +185,17 @@ impl BasicTraits for TorusSegmentTraits {
         compare_xy(p, q)
     }
 
+    /// Coordinates are at least zero and below the periods.
+    fn is_canonical(&self, p: &Point2) -> bool {
+        let [origin, corner] = &self.torus.corners;
+        [compare_x, compare_y].iter().all(|compare| compare(p, origin).is_ge() && compare(p, corner).is_lt())
+    }
+
+    /// The periods are the same.
+    fn is_own_curve(&self, curve: &TorusSegment) -> bool {
+        curve.is_on(&self.torus)
+    }
+
     #[inline]
     fn end_point<'a>(&self, curve: &'a TorusSegment, end: CurveEnd) -> Option<&'a Point2> {
         Some(curve.point(end))

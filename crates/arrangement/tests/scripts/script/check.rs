@@ -1,21 +1,20 @@
 //! What has to hold after each step.
 
 use super::draw::Draw;
-use super::family::{Family, PieceOf};
+use super::drawn::{Drawn, PieceOf};
 use super::scan::{P, Scan, Stroke};
 use super::steps::World;
+use crate::family::Family;
 use dcel::{EdgeId, FaceId, HalfedgeId, VertexId};
 use exact::Rational;
 use exact::planar::Point2;
 use splitstar_arrangement::location::{Landmarks, Naive, PointLocation, VerticalRay, Walk};
 use splitstar_arrangement::overlay::Cell;
-use splitstar_arrangement::{Arrangement, Pieces, locate_all};
-
-const STRATEGIES_OF_RAYS: usize = 3;
+use splitstar_arrangement::{Arrangement, locate_all};
 
 pub(super) type Made<F> = Arrangement<<F as Family>::Traits, <F as Family>::Surface>;
 
-impl<F: Family> World<F> {
+impl<F: Drawn> World<F> {
     /// Checks the arrangement, the mirror, and where some points are found.
     pub(super) fn check(&self, draw: &mut Draw<'_>) {
         let arrangement = self.editor.arrangement();
@@ -56,7 +55,7 @@ impl<F: Family> World<F> {
         }
         for ray in VerticalRay::BOTH {
             let met = Naive.shoot(arrangement, point, ray);
-            for (name, strategy) in &strategies[1..STRATEGIES_OF_RAYS] {
+            for (name, strategy) in &strategies[1..] {
                 assert_eq!(strategy.shoot(arrangement, point, ray), met, "{ray:?} from {point}, by {name}");
             }
         }
@@ -72,7 +71,7 @@ impl<F: Family> World<F> {
 }
 
 /// Checks that two arrangements are the same, but for ids; and that their edges carry the same.
-pub(super) fn assert_alike<F: Family>(family: &F, found: &Made<F>, expected: &Made<F>) {
+pub(super) fn assert_alike<F: Drawn>(family: &F, found: &Made<F>, expected: &Made<F>) {
     assert_eq!(found.difference(expected), None);
     assert_eq!(found.counts(), expected.counts());
     assert_eq!(found.counts_with_splits(), expected.counts_with_splits());
@@ -85,7 +84,7 @@ pub(super) fn assert_alike<F: Family>(family: &F, found: &Made<F>, expected: &Ma
 type EndsOf = [Option<P>; 2];
 
 /// What the edges carry, with their ends.
-fn labels<F: Family>(family: &F, arrangement: &Made<F>) -> Vec<(EndsOf, Vec<u32>)> {
+fn labels<F: Drawn>(family: &F, arrangement: &Made<F>) -> Vec<(EndsOf, Vec<u32>)> {
     let of = |e: EdgeId| {
         let ends = arrangement.dcel().ends(e).map(|v| arrangement.point(v).map(Point2::coordinates));
         (ends, family.labels(arrangement.curve_of(e)))
@@ -93,20 +92,6 @@ fn labels<F: Family>(family: &F, arrangement: &Made<F>) -> Vec<(EndsOf, Vec<u32>
     let mut all: Vec<_> = arrangement.dcel().edges().map(of).collect();
     all.sort();
     all
-}
-
-/// The edges and isolated vertices of an arrangement, swept anew.
-pub(super) fn swept_again<F: Family>(arrangement: &Made<F>) -> Made<F> {
-    let dcel = arrangement.dcel();
-    let mut pieces = Pieces::<F::Traits>::new();
-    for e in dcel.edges() {
-        let is_artificial = dcel.ends(e).map(|v| arrangement.is_artificial(v));
-        pieces.push_piece(arrangement.make_edge_curve(e), is_artificial);
-    }
-    for v in arrangement.vertices().filter(|&v| dcel.outgoing(v).is_none()) {
-        pieces.push_point(arrangement.point(v).expect("it is a point").clone());
-    }
-    Arrangement::of_pieces(arrangement.traits().clone(), arrangement.topology().clone(), pieces)
 }
 
 /// All that must come back with its id if operations are taken back.
@@ -120,7 +105,7 @@ pub(super) struct Identities {
 }
 
 impl Identities {
-    pub(super) fn of<F: Family>(family: &F, arrangement: &Made<F>) -> Self {
+    pub(super) fn of<F: Drawn>(family: &F, arrangement: &Made<F>) -> Self {
         let dcel = arrangement.dcel();
         let point = |v| (v, arrangement.point(v).map(Point2::coordinates));
         let vertex = |v| (v, arrangement.is_artificial(v), dcel.isolated_face(v));
