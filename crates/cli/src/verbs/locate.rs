@@ -31,7 +31,8 @@ pub(crate) fn locate(run: &Run) -> Result<(), Failure> {
     points.check_period(&arrangement)?;
     let seconds = LocateSeconds { read: clock.lap(), ..LocateSeconds::default() };
     console.step(run.verb.name());
-    let strategy = run.strategy.unwrap_or_else(|| chosen(points.file.points.len(), run.ray));
+    let strategy =
+        run.strategy.unwrap_or_else(|| chosen(points.file.points.len(), run.ray, &arrangement.arrangement));
     let mut work = Work { strategy, ray: run.ray, console: &console, clock: &mut clock, seconds };
     let cells = work.cells(&arrangement.arrangement, points.file.points);
     let mut seconds = work.seconds;
@@ -67,12 +68,13 @@ pub(crate) fn locate(run: &Run) -> Result<(), Failure> {
 /// Fewer points than this are not worth a sweep, or a search structure.
 const FEW: usize = 16;
 
-/// The strategy for so many points.
-fn chosen(points: usize, ray: Option<Ray>) -> Strategy {
+/// The strategy for so many points. A sweep meets them all together with the cells; where there are more of them than vertices, they are
+/// what it would spend its time on, and a search structure costs less.
+fn chosen(points: usize, ray: Option<Ray>, arrangement: &StarArrangement) -> Strategy {
     match ray {
         _ if points < FEW => Strategy::Naive,
-        None => Strategy::Sweep,
-        Some(_) => Strategy::Trapezoids,
+        None if points <= arrangement.counts_with_splits().vertices => Strategy::Sweep,
+        _ => Strategy::Trapezoids,
     }
 }
 

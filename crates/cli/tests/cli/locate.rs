@@ -143,6 +143,21 @@ fn the_object_has_answers_in_order() {
     let object = run_with(&["locate", &file, "-", "--json", "--ray", "down"], input).json();
     assert_eq!(object["ray"], "down");
     assert!(OF_RAYS.contains(&object["strategy"].as_str().unwrap()));
+    let curves: String = (0..40).map(|k| format!("point {k} {k}\n")).collect();
+    let many = folder.path("many.star");
+    run_with(&["arrange", "-", "-o", &many], curves.as_bytes()).ok();
+    for (count, words, strategy) in [
+        (15, &[][..], "naive"),
+        (16, &[], "sweep"),
+        (40, &[], "sweep"),
+        (41, &[], "trapezoids"),
+        (15, &["--ray", "up"], "naive"),
+        (16, &["--ray", "up"], "trapezoids"),
+    ] {
+        let words = [&["locate", &many, "-", "--json"], words].concat();
+        let object = run_with(&words, "1 1\n".repeat(count).as_bytes()).json();
+        assert_eq!(object["strategy"], strategy, "{count} {words:?}");
+    }
     let object = run_with(&["locate", &file, "-", "--json"], b"").json();
     assert_eq!((&object["points"], &object["answers"]), (&json!(0), &json!([])));
 }

@@ -41,12 +41,24 @@ fn points_are_read() {
 }
 
 #[test]
+fn the_example_of_the_page_is_read() {
+    let page = include_str!("../../../../docs/curves.md");
+    let (_, example) = page.split_once("```points\n").unwrap();
+    let file = read_points(example.split("```").next().unwrap().as_bytes(), None).unwrap();
+    assert_eq!((file.points.len(), file.notes.len()), (5, 0));
+}
+
+#[test]
 fn what_is_no_point_is_refused() {
     let rows: &[(&str, u32, &str)] = &[
         ("0 0\nsegment 0 0 1 1\n", 2, "a segment in a file of points; remove it"),
         ("LINE 0 0 1 1\n", 1, "a line in a file of points"),
         ("ray 0 0 1 1\n", 1, "a ray in a file of points"),
-        ("POINT (0 0)\nGEOMETRYCOLLECTION (POINT (1 1),\n LINESTRING (0 0, 1 1))\n", 3, "a polyline in a file"),
+        (
+            "POINT (0 0)\nGEOMETRYCOLLECTION (POINT (1 1),\n LINESTRING (0 0, 1 1))\n",
+            3,
+            "a polyline in a file",
+        ),
         ("1\n", 1, "the line ends where a point of two coordinates (`x y`) was expected"),
         ("1 2 3\n", 1, "`3` where the end of the line was expected"),
         ("1 x\n", 1, "`x` is no number"),
