@@ -15,7 +15,7 @@
 //! | [`Editor`] | an arrangement to which curves and points come and from which they go one by one; location |
 //! | [`edit`] | the primitive changes of an arrangement, and those who watch them: observers, stamps, undo |
 //! | [`location`] | in which cell a point lies, and what is straight above or below it: one trait, several strategies |
-//! | [`decomposition`] | the vertical decomposition: pseudo-trapezoids, and what is straight above and below each vertex |
+//! | [`decomposition`] | the vertical decomposition: pseudo-trapezoids as a list and as a cell complex, and what is straight above and below each vertex |
 //! | [`zone`] | the cells that a curve meets, in their order |
 //! | [`history`] | arrangements that know which input runs along which edge, and from which inputs can be removed |
 //! | [`Arrangement`] | the cells: [`Arrangement::of_curves`], [`Arrangement::insert_curves`], [`Arrangement::counts`] |

@@ -32,7 +32,9 @@ fn sweep_over<G: UMonotoneTraits, T: Topology<G>>(arrangement: &Arrangement<G, T
     let dcel = arrangement.dcel();
     let site_count = input.site_count();
     let corner = arrangement.corner_face();
-    let mut trapezoids = Vec::with_capacity(1 + site_count + dcel.edge_count());
+    let count = 1 + site_count + dcel.edge_count();
+    assert!(u32::try_from(count).is_ok(), "a decomposition has fewer than 2^32 trapezoids");
+    let mut trapezoids = Vec::with_capacity(count);
     trapezoids.push(TrapezoidRecord { left: NONE, right: NONE, below: NONE, above: NONE });
     let mut decomposer = Decomposer {
         arrangement,
@@ -88,6 +90,7 @@ fn number<G: BasicTraits, T: Topology<G>>(
         sites,
         first_site,
         bare_faces,
+        is_v_identified: arrangement.topology().sides().is_v_identified(),
     }
 }
 
@@ -183,9 +186,7 @@ impl<G: BasicTraits, T: Topology<G>> SweepVisitor<G> for Decomposer<'_, '_, G, T
         let edge = |tag: Option<Option<EdgeId>>| tag.flatten().map_or(NONE, |e| e.0);
         let (lowest, highest) = (edge(around.below), edge(around.above));
 
-        let first = self.over(lowest);
-        let is_next = site > 0 && self.swept.trapezoids[first as usize].left == site - 1;
-        let mut left = [self.end(first, site); 2];
+        let mut left = [self.end(self.over(lowest), site); 2];
         for strand in around.left {
             left[1] = self.end(self.over(edge(Some(strand.tag))), site);
         }
@@ -210,9 +211,9 @@ impl<G: BasicTraits, T: Topology<G>> SweepVisitor<G> for Decomposer<'_, '_, G, T
             self.bare_face = self.face_behind(vertex, location, ended);
             self.swept.bare_faces.push((right[1], self.bare_face));
         }
-        let is_over_last = is_next && self.last.is_some_and(|last| self.is_same_u(&last, &input_site));
+        let has_last_u = self.last.is_some_and(|last| self.is_same_u(&last, &input_site));
         self.last = Some(input_site);
-        self.swept.sites.push(SiteRecord { left, right, vertex, next: NONE, location, is_over_last });
+        self.swept.sites.push(SiteRecord { left, right, vertex, next: NONE, location, has_last_u });
         ControlFlow::Continue(())
     }
 }

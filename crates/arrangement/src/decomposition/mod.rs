@@ -10,6 +10,7 @@
 //! | the list | `mod`, `records` | trapezoids, sites, and which are next to one another |
 //! | | `walls` | what is straight above and below each vertex |
 //! | making it | `build`, `order` | a visitor of the sweep; trapezoids numbered along edges |
+//! | the complex | `complex` | trapezoids, walls and pieces of edges as cells, with an example |
 //!
 //! A vertex of the surface has several places in the parameter space if sides are identified, and one for each edge if it stands for
 //! a side. So walls begin at *sites*. They end at the sides of the parameter space at the latest, also where these are identified.
@@ -53,6 +54,7 @@
 //! Thesis, sections 2.4.5 and 6.1.3; de Berg, Cheong, van Kreveld and Overmars, Computational Geometry, chapter 6.
 
 mod build;
+mod complex;
 mod order;
 mod records;
 #[cfg(test)]
@@ -63,6 +65,7 @@ use crate::arrangement::Arrangement;
 use crate::edit::{Stale, Stamp};
 use crate::topology::Topology;
 use crate::traits::{Along, BasicTraits, Location, UMonotoneTraits};
+pub use complex::{DecompositionComplex, EdgeOrigin, VertexOrigin};
 use dcel::{EdgeId, FaceId, VertexId};
 use records::{NONE, SiteRecord, TrapezoidRecord};
 pub use records::{SiteId, Trapezoid, TrapezoidId};
@@ -92,13 +95,14 @@ pub struct VerticalDecomposition {
     first_site: Vec<u32>,
     /// The faces of trapezoids without edges, by their numbers.
     bare_faces: Vec<(TrapezoidId, FaceId)>,
+    is_v_identified: bool,
 }
 
 impl VerticalDecomposition {
     /// Decomposes an arrangement.
     ///
     /// # Panics
-    /// With 2^31 vertices and edges or more.
+    /// With 2^32 trapezoids or more.
     ///
     /// # Complexity
     /// O(n log n) for n cells.
@@ -211,20 +215,45 @@ impl VerticalDecomposition {
         &self.below[self.first_below[key] as usize..self.first_below[key + 1] as usize]
     }
 
-    /// Tells whether the two walls of a trapezoid have one u, and so nothing between them: it is there only because of the shear, or
-    /// is a piece of the left or right side of the parameter space.
+    /// Tells whether there is nothing in a trapezoid, because
+    /// - its two walls have one u: it is there only because of the shear, or is a piece of the left or right side; or
+    /// - it is between an identified bottom side and an edge along that: one that begins and ends there is taken for such an edge.
     ///
     /// # Panics
     /// If there is no such trapezoid.
     #[inline]
     pub fn is_degenerate(&self, t: TrapezoidId) -> bool {
+        let TrapezoidRecord { below, above, .. } = self.trapezoids[t.index()];
+        self.has_one_u(t) || below == NONE && above != NONE && self.is_along_bottom(EdgeId(above))
+    }
+
+    /// Tells whether the two walls of a trapezoid have one u.
+    #[inline]
+    fn has_one_u(&self, t: TrapezoidId) -> bool {
         let TrapezoidRecord { left, right, .. } = self.trapezoids[t.index()];
         match (left, right) {
             (NONE, NONE) => false,
             (NONE, right) => self.location(SiteId(right)).u == Along::Low,
             (left, NONE) => self.location(SiteId(left)).u == Along::High,
-            (left, right) => left + 1 == right && self.sites[right as usize].is_over_last,
+            (left, right) => left + 1 == right && self.sites[right as usize].has_last_u,
         }
+    }
+
+    /// Tells whether an edge runs along an identified bottom side. One that begins and ends there does.
+    #[inline]
+    fn is_along_bottom(&self, e: EdgeId) -> bool {
+        self.is_v_identified && self.ends(e).into_iter().all(|site| self.location(site).v == Along::Low)
+    }
+
+    /// The sites where an edge begins and ends.
+    ///
+    /// # Panics
+    /// If there is no such edge.
+    #[inline]
+    pub fn ends(&self, e: EdgeId) -> [SiteId; 2] {
+        let above = self.above(Some(e));
+        let (first, last) = (above.start as usize, above.end as usize - 1);
+        [SiteId(self.trapezoids[first].left), SiteId(self.trapezoids[last].right)]
     }
 
     /// The face in which a trapezoid lies; that of a degenerate one lies next to it.

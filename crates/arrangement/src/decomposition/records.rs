@@ -77,8 +77,8 @@ pub(super) struct SiteRecord {
     /// The next site of the same vertex.
     pub(super) next: u32,
     pub(super) location: Location,
-    /// Whether the site before has the same u, and nothing is between.
-    pub(super) is_over_last: bool,
+    /// Whether the site before has the same u.
+    pub(super) has_last_u: bool,
 }
 
 /// The place of an edge among all, where none comes first.

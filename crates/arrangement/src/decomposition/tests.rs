@@ -1,5 +1,8 @@
 //! The decomposition against the one that is kept under edits.
 
+#[path = "../../tests/decomposition/laws.rs"]
+mod laws;
+
 use super::*;
 use crate::random::{Numbers, Scene, random_cylinder, random_lines, random_paths, random_segments};
 use crate::topology::Site;
@@ -61,6 +64,7 @@ fn agrees<G: UMonotoneTraits, T: Topology<G>>(arrangement: &Arrangement<G, T>, s
     }
     is_in_order(&made, seed);
     walls_are_nearest(arrangement, &made, seed);
+    laws::check(arrangement, &format!("seed {seed}"));
 }
 
 /// The decomposition that is kept under edits, and its sites in the order in which they are met.

@@ -12,10 +12,25 @@ pub enum WallEnd {
     Vertex(VertexId),
     /// An edge, in its interior.
     Edge(EdgeId),
-    /// A side of the parameter space, where no vertex is that is a point.
+    /// A side of the parameter space, where no site is.
     Side,
     /// Nothing, because the wall has no length: a vertical edge goes the same way, or the site is on the side to which the wall would go.
     Nothing,
+}
+
+/// What is straight above or below a site.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(super) enum Step {
+    /// Another site, at the end of a wall.
+    Site(SiteId),
+    /// An edge in its interior, at the end of a wall.
+    Edge(EdgeId),
+    /// A side, at the end of a wall.
+    Side,
+    /// A vertical edge, and the site at its other end.
+    Along(EdgeId, SiteId),
+    /// Nothing: the site is on the side itself, or on the left or right one.
+    Out,
 }
 
 impl VerticalDecomposition {
@@ -27,7 +42,12 @@ impl VerticalDecomposition {
     /// # Complexity
     /// Constant.
     pub fn walls(&self, site: SiteId) -> [WallEnd; 2] {
-        [self.wall_down(site), self.wall_up(site)]
+        [self.step_down(site), self.step_up(site)].map(|step| match step {
+            Step::Site(site) => WallEnd::Vertex(self.vertex(site)),
+            Step::Edge(e) => WallEnd::Edge(e),
+            Step::Side => WallEnd::Side,
+            Step::Along(..) | Step::Out => WallEnd::Nothing,
+        })
     }
 
     /// What is straight below and above a vertex; where it has several sites, below the first and above the last that is not on the
@@ -47,36 +67,36 @@ impl VerticalDecomposition {
         walls
     }
 
-    fn wall_down(&self, site: SiteId) -> WallEnd {
+    pub(super) fn step_down(&self, site: SiteId) -> Step {
         let Location { u, v } = self.location(site);
         if u != Along::Inside || v == Along::Low {
-            return WallEnd::Nothing;
+            return Step::Out;
         }
         let t = self.left_of(site)[0];
-        let TrapezoidRecord { left, below, .. } = self.trapezoids[t.index()];
-        if !self.is_degenerate(t) {
+        let TrapezoidRecord { left, below, above, .. } = self.trapezoids[t.index()];
+        if !self.has_one_u(t) {
             return end_at(below);
         }
         // A vertical edge would be between the upper wall of the other site and the lower one of this.
         let other = SiteId(left);
-        if self.right_of(other)[1] == t { WallEnd::Vertex(self.vertex(other)) } else { WallEnd::Nothing }
+        if self.right_of(other)[1] == t { Step::Site(other) } else { Step::Along(EdgeId(above), other) }
     }
 
-    fn wall_up(&self, site: SiteId) -> WallEnd {
+    pub(super) fn step_up(&self, site: SiteId) -> Step {
         let Location { u, v } = self.location(site);
         if u != Along::Inside || v == Along::High {
-            return WallEnd::Nothing;
+            return Step::Out;
         }
         let t = self.right_of(site)[1];
-        let TrapezoidRecord { right, above, .. } = self.trapezoids[t.index()];
-        if !self.is_degenerate(t) {
+        let TrapezoidRecord { right, below, above, .. } = self.trapezoids[t.index()];
+        if !self.has_one_u(t) {
             return end_at(above);
         }
         let other = SiteId(right);
-        if self.left_of(other)[0] == t { WallEnd::Vertex(self.vertex(other)) } else { WallEnd::Nothing }
+        if self.left_of(other)[0] == t { Step::Site(other) } else { Step::Along(EdgeId(below), other) }
     }
 }
 
-fn end_at(edge: u32) -> WallEnd {
-    if edge == NONE { WallEnd::Side } else { WallEnd::Edge(EdgeId(edge)) }
+fn end_at(edge: u32) -> Step {
+    if edge == NONE { Step::Side } else { Step::Edge(EdgeId(edge)) }
 }

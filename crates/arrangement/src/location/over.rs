@@ -177,8 +177,10 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Column<'a, G, T> {
                 continue;
             }
             let is_ahead = order == ahead;
-            let is_first = first.is_none_or(|(is_other_ahead, other)| {
-                is_ahead > is_other_ahead || (is_ahead == is_other_ahead && self.is_before(bar, other, ray))
+            let is_first = first.is_none_or(|(is_other_ahead, other)| match (is_ahead, is_other_ahead) {
+                (true, false) => true,
+                (false, true) => false,
+                _ => self.is_before(bar, other, ray),
             });
             if is_first {
                 first = Some((is_ahead, bar));

@@ -7,7 +7,7 @@ use crate::edit::{Done, EditOf, Observer, Operation, Stale, Stamp};
 use crate::overlay::Cell;
 use crate::topology::{Site, Topology};
 use crate::traits::{Along, Location, UMonotoneTraits};
-use crate::trapezoids::{Follower, Found, Side, Toward, TrapezoidId, Trapezoids, side as side_of};
+use crate::trapezoids::{Follower, Found, Side, Toward, TrapezoidId, Trapezoids};
 
 /// The trapezoidal map of an arrangement, with a search structure.
 ///
@@ -114,18 +114,12 @@ fn shoot<G: UMonotoneTraits, T: Topology<G>>(
     }
     let v = if ray == VerticalRay::Up { Along::Low } else { Along::High };
     let across = Site { location: Location { v, ..column.place.location }, at: column.place.at };
-    if let Found::Site(site) = trapezoids.find(arrangement, &across) {
-        return Cell::Vertex(trapezoids.vertex(site));
-    }
-    // An edge along both sides counts as one along the bottom.
-    let below = trapezoids.trapezoid(beside(arrangement, trapezoids, &across, Side::Below));
-    if ray == VerticalRay::Up && !below.above.is_none() {
-        let rail = trapezoids.rail(below.above);
-        if side_of(arrangement, &across, &arrangement.curves()[rail.curve as usize]).is_eq() {
-            return Cell::Edge(rail.edge);
-        }
-    }
-    let t = beside(arrangement, trapezoids, &across, side);
+    let t = match trapezoids.search_along_side(arrangement, &across, side.opposite()) {
+        Found::Within(t) => t,
+        Found::Site(site) if ray == VerticalRay::Up => return Cell::Vertex(trapezoids.vertex(site)),
+        // The ray began there: on the bottom, as which the vertex would have been met before.
+        Found::Site(site) => trapezoids.left_of(site)[0],
+    };
     end_of(arrangement, trapezoids, &column, t, side).unwrap_or(cell)
 }
 
@@ -156,8 +150,9 @@ fn end_of<G: UMonotoneTraits, T: Topology<G>>(
     let site = if side == Side::Above { trapezoid.right } else { trapezoid.left };
     if !site.is_none() {
         let place = trapezoids.place(arrangement, site);
-        if place.point().is_some() && column.beside(&place).is_eq() {
-            return Some(Cell::Vertex(trapezoids.vertex(site)));
+        if column.beside(&place).is_eq() {
+            // Where a curve ends without a point, it ends on a side; and the line is beside it.
+            return place.point().map(|_| Cell::Vertex(trapezoids.vertex(site)));
         }
     }
     let rail = trapezoid.rail(side);

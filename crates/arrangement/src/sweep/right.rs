@@ -4,7 +4,7 @@ use super::engine::{Buffers, Engine};
 use super::status::NIL;
 use super::visitor::{Link, Strand};
 use crate::topology::{Site, Topology};
-use crate::traits::{Multiplicity, UMonotoneTraits};
+use crate::traits::{CurveEnd, Multiplicity, UMonotoneTraits};
 use std::cmp::Ordering;
 use std::ops::Range;
 
@@ -87,9 +87,18 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
     fn note_end_of_overlap(&mut self, a: u32, b: u32, site: &Site<'_, G>) {
         let [curve_a, curve_b] = [a, b].map(|curve| self.ways[curve as usize].curve);
         let is_ahead = |point: &G::Point| {
-            // On a side curves end, and that is a site already.
+            // On a side curves end, and that is a site already. The point of a contracted side is not told apart by where it is.
+            let is_end_on_side = |curve: &G::UMonotoneCurve| {
+                !self.topology.end_location(self.traits, curve, CurveEnd::Max).is_interior()
+                    && self
+                        .traits
+                        .end_point(curve, CurveEnd::Max)
+                        .is_some_and(|end| self.traits.is_same_point(end, point))
+            };
             let meeting = Site::of_point(self.topology, self.traits, point);
             meeting.location.is_interior()
+                && !is_end_on_side(curve_a)
+                && !is_end_on_side(curve_b)
                 && self.topology.compare_sites(self.traits, &meeting, site) == Ordering::Greater
                 && [a, b].into_iter().all(|curve| {
                     let end = &self.stops[self.ways[curve as usize].end as usize].site;

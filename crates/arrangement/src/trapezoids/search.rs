@@ -134,6 +134,34 @@ impl<G: BasicTraits> Trapezoids<G> {
         (found, is_on_curve)
     }
 
+    /// Finds a place on the bottom or top side, below or above all curves. Its point may be one of the interior of the parameter space, straight
+    /// above or below.
+    pub(crate) fn search_along_side<T: Topology<G>>(
+        &self,
+        arrangement: &Arrangement<G, T>,
+        place: &Site<'_, G>,
+        side: Side,
+    ) -> Found {
+        let compare = |site| {
+            let other = self.place(arrangement, site);
+            arrangement.topology().compare_sites(arrangement.traits(), place, &other)
+        };
+        let mut branch = self.structure.root();
+        loop {
+            let node = match self.structure.at(branch, &self.trapezoids) {
+                Step::End(t) => return Found::Within(t),
+                Step::Node(node) => node,
+            };
+            branch = node.branches()[match node.comparison() {
+                Comparison::Site(site, _) => match compare(site) {
+                    Ordering::Equal if !self.is_gone(site) => return Found::Site(site),
+                    order => usize::from(order.is_ge()),
+                },
+                Comparison::Curve(..) => side as usize,
+            }];
+        }
+    }
+
     /// The trapezoid in which a curve leaves a site to the right; above, if it runs along an edge. Notes how long that took.
     ///
     /// # Complexity

@@ -7,6 +7,8 @@ mod agree;
 #[path = "../harness/curves.rs"]
 #[allow(dead_code, reason = "the harness uses all of it")]
 mod curves;
+#[path = "../common/family.rs"]
+mod family;
 #[path = "../harness/models.rs"]
 #[allow(dead_code, reason = "the harness uses all of it")]
 mod models;

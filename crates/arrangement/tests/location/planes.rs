@@ -2,6 +2,7 @@
 
 use crate::agree::assert_agree;
 use crate::curves::{Curve, P, Shape, fraction, rational};
+use crate::family::Family;
 use crate::models::{Linears, MinimalSegments, Model, Numbered, Polylinears, Polylines, Segments, WideTorus};
 use crate::oracle::brute_force;
 use crate::rays::Rays;

@@ -61,6 +61,7 @@ fn is_inside(p: &P, kinds: [SideKind; 2]) -> bool {
 
 fn check<const M: bool>(kinds: [SideKind; 2], curves: &[Curve], rng: &mut Rng, context: &str) -> usize {
     let arrangement = Arrangement::of_curves(Strip::<M> { size: SIZE, v: kinds }, Band(kinds), curves);
+    assert_eq!(arrangement.check_valid(), [], "{context}");
     let ends = |piece: &Piece| [piece.segment.min(), piece.segment.max()].map(Point2::coordinates);
     let rays = Rays::new(&arrangement, SIZE.map(Rational::from), ends);
     let points = rays.points(rng, 25).into_iter().filter(|p| is_inside(p, kinds));
@@ -117,4 +118,13 @@ fn lying() {
         }
     }
     assert!(known > 5_000, "{known}");
+}
+
+/// They run together up to a pole, of which the traits give a point that is not greater than where they begin.
+#[test]
+fn twice_from_pole_to_pole() {
+    let curve = Curve::Path([[0, 0], [4, 4]]);
+    for kinds in [[Contracted, Contracted], [Open, Contracted]] {
+        check::<false>(kinds, &[curve, curve], &mut Rng::new(1), "twice");
+    }
 }

@@ -155,6 +155,8 @@ impl<const MEET_ONCE: bool> UMonotoneTraits for Strip<MEET_ONCE> {
         SegmentTraits.intersect(&a.segment, &b.segment, &mut places);
         let first = out.len();
         out.extend(places.into_iter().filter_map(|common| match common {
+            // On a side that is no row of points, every end is by itself.
+            Intersection::Point(place, _) if self.location(&place).v != Along::Inside => None,
             Intersection::Point(place, multiplicity) => {
                 self.point_of_place(&place).map(|point| Intersection::Point(point, multiplicity))
             }

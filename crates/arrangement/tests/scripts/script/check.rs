@@ -59,6 +59,7 @@ impl<F: Drawn> World<F> {
                 assert_eq!(strategy.shoot(arrangement, point, ray), met, "{ray:?} from {point}, by {name}");
             }
         }
+        self.check_rays(&points);
     }
 
     /// A place in the interior of an edge.

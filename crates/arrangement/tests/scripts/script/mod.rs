@@ -8,6 +8,7 @@
 mod check;
 mod draw;
 mod drawn;
+mod rays;
 mod scan;
 mod steps;
 

@@ -1,0 +1,20 @@
+//! The vertical decomposition on surfaces of mixed sides, and counts of simple cases.
+
+#![allow(clippy::unwrap_used)]
+
+mod counts;
+mod laws;
+#[path = "../surfaces/paths.rs"]
+#[allow(dead_code)]
+mod paths;
+#[path = "../surfaces/strip.rs"]
+#[allow(dead_code)]
+mod strip;
+mod strips;
+
+use splitstar_arrangement::Arrangement;
+use splitstar_arrangement::decomposition::{
+    DecompositionComplex, EdgeOrigin, VertexOrigin, VerticalDecomposition,
+};
+use splitstar_arrangement::topology::Topology;
+use splitstar_arrangement::traits::UMonotoneTraits;

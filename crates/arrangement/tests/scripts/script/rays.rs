@@ -1,0 +1,28 @@
+//! Strategies of point location that need no preparation, and those that follow edits.
+
+use super::drawn::Drawn;
+use super::steps::World;
+use crate::family::Family;
+use exact::planar::Point2;
+use splitstar_arrangement::location::{Naive, PointLocation, VerticalRay, Walk};
+
+/// A strategy, with its name.
+type Named<'a, F> = (&'a str, &'a dyn PointLocation<<F as Family>::Traits, <F as Family>::Surface>);
+
+impl<F: Drawn> World<F> {
+    /// Checks that all strategies find the same, and that rays do.
+    pub(super) fn check_rays(&self, points: &[Point2]) {
+        let arrangement = self.editor.arrangement();
+        let map = &self.editor.observers().2;
+        let strategies: [Named<'_, F>; 2] = [("walk", &Walk), ("trapezoids", map)];
+        for point in points {
+            let cell = Naive.locate(arrangement, point);
+            let hits = VerticalRay::BOTH.map(|ray| Naive.shoot(arrangement, point, ray));
+            for (name, strategy) in strategies {
+                assert_eq!(strategy.locate(arrangement, point), cell, "{name} at {point}");
+                let found = VerticalRay::BOTH.map(|ray| strategy.shoot(arrangement, point, ray));
+                assert_eq!(found, hits, "{name}, rays from {point}");
+            }
+        }
+    }
+}
