@@ -168,4 +168,4 @@ pub use arrangement::{
 };
 pub use editor::{Editor, MergedEdges, Renumbering, SplitParts, VertexNeed, VertexNeeded};
 pub use insert::Pieces;
-pub use queries::{CommonEnds, do_any_meet, intersections, locate_all, subcurves};
+pub use queries::{CommonEnds, do_any_meet, intersections, locate_all, locate_all_with, subcurves};

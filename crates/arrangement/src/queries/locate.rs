@@ -2,7 +2,7 @@
 
 use crate::arrangement::Arrangement;
 use crate::overlay::Cell;
-use crate::sweep::{Around, CellNumbers, Event, SweepInput, SweepVisitor, sweep};
+use crate::sweep::{Around, CellNumbers, Event, Progress, SweepInput, SweepVisitor, Watched, sweep};
 use crate::topology::Topology;
 use crate::traits::{Along, BasicTraits, UMonotoneTraits};
 use dcel::{EdgeId, FaceId};
@@ -40,11 +40,26 @@ pub fn locate_all<G: UMonotoneTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     points: &[G::Point],
 ) -> Vec<Cell> {
+    locate_all_with(arrangement, points, |_| ControlFlow::Continue(())).expect("nobody stops the sweep")
+}
+
+/// Does what [`locate_all`] does; now and then `watch` is told how far the sweep has come, and may stop it. Then there is no answer.
+///
+/// # Preconditions
+/// Those of [`locate_all`].
+///
+/// # Complexity
+/// That of [`locate_all`]. `watch` is called once in about a thousand events.
+pub fn locate_all_with<G: UMonotoneTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    points: &[G::Point],
+    watch: impl FnMut(Progress) -> ControlFlow<()>,
+) -> Option<Vec<Cell>> {
     let (traits, topology) = (arrangement.traits(), arrangement.topology());
     let (input, numbers) = SweepInput::of_arrangement(arrangement, points);
     let first_query = numbers.vertices.len();
     let face = arrangement.corner_face();
-    let mut locator = Locator {
+    let locator = Locator {
         arrangement,
         input: &input,
         numbers,
@@ -52,8 +67,9 @@ pub fn locate_all<G: UMonotoneTraits, T: Topology<G>>(
         cells: vec![Cell::Face(face); points.len()],
         bottom: face,
     };
-    let _ = sweep(traits, topology, &input, &mut locator);
-    locator.cells
+    let mut watched = Watched::new(locator, input.site_count(), watch);
+    let swept = sweep(traits, topology, &input, &mut watched);
+    swept.is_continue().then(|| watched.into_inner().cells)
 }
 
 struct Locator<'a, 'i, G: BasicTraits, T> {

@@ -20,7 +20,7 @@ use std::mem::take;
 pub(super) fn finish(
     curves: Curves,
     numbers: &Numbers,
-    cells: Cells,
+    cells: &mut Cells,
     end: u32,
 ) -> Result<StarArrangement, Located> {
     match curves {
@@ -49,10 +49,10 @@ fn arrangement_of<G: Family>(
     topology: G::Surface,
     curves: Vec<G::UMonotoneCurve>,
     numbers: &Numbers,
-    mut cells: Cells,
+    cells: &mut Cells,
     end: u32,
 ) -> Result<Arrangement<G, G::Surface>, Located> {
-    define_points::<G>(&curves, &mut cells);
+    define_points::<G>(&curves, cells);
     let raw = cells.raw_dcel(end)?;
     let parts = Parts {
         dcel: Dcel::from_parts(raw),
@@ -64,7 +64,7 @@ fn arrangement_of<G: Family>(
         corner_face: FaceId(0),
     };
     Arrangement::from_parts(traits, topology, parts).map_err(|violations| {
-        let said = violations.first().map(|violation| sentence(violation, &cells, numbers));
+        let said = violations.first().map(|violation| sentence(violation, cells, numbers));
         let (line, why) = said.unwrap_or_else(|| (None, "the cells contradict the curves".into()));
         malformed(line.unwrap_or(end), why)
     })
