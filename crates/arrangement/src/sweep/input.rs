@@ -86,6 +86,14 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
         }
     }
 
+    /// Makes room for sites and curves.
+    pub(super) fn reserve(&mut self, sites: usize, curves: usize) {
+        self.sites.reserve(sites);
+        self.first_start.reserve(sites);
+        self.first_end.reserve(sites);
+        self.curves.reserve(curves);
+    }
+
     /// The number of curves.
     pub fn curve_count(&self) -> usize {
         self.curves.len()
