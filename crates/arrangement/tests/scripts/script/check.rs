@@ -8,7 +8,6 @@ use crate::family::Family;
 use dcel::{EdgeId, FaceId, HalfedgeId, VertexId};
 use exact::Rational;
 use exact::planar::Point2;
-use splitstar_arrangement::location::{Landmarks, Naive, PointLocation, VerticalRay, Walk};
 use splitstar_arrangement::overlay::Cell;
 use splitstar_arrangement::{Arrangement, locate_all};
 
@@ -37,26 +36,6 @@ impl<F: Drawn> World<F> {
             assert_eq!(self.editor.locate(point), cell, "at {point}, against one sweep");
             if let Some(expected) = scan.locate(point) {
                 assert_eq!(cell, expected, "at {point}, one sweep against a scan");
-            }
-            self.check_strategies(point, cell);
-        }
-    }
-
-    /// Checks that every strategy finds a point in its cell, and that all shoot alike from there.
-    fn check_strategies(&self, point: &Point2, cell: Cell) {
-        let arrangement = self.editor.arrangement();
-        let landmarks = Landmarks::new(arrangement);
-        // The map has followed all edits.
-        let map = &self.editor.observers().2;
-        let strategies: [(&str, &dyn PointLocation<F::Traits, F::Surface>); 4] =
-            [("naive", &Naive), ("walk", &Walk), ("landmarks", &landmarks), ("trapezoids", map)];
-        for (name, strategy) in strategies {
-            assert_eq!(strategy.locate(arrangement, point), Ok(cell), "at {point}, by {name}");
-        }
-        for ray in VerticalRay::BOTH {
-            let met = Naive.shoot(arrangement, point, ray);
-            for (name, strategy) in &strategies[1..] {
-                assert_eq!(strategy.shoot(arrangement, point, ray), met, "{ray:?} from {point}, by {name}");
             }
         }
         self.check_rays(&points);

@@ -1,10 +1,10 @@
-//! Strategies of point location that need no preparation, and those that follow edits.
+//! Strategies of point location: those that need no preparation, landmarks made anew, and those that follow edits.
 
 use super::drawn::Drawn;
 use super::steps::World;
 use crate::family::Family;
 use exact::planar::Point2;
-use splitstar_arrangement::location::{Naive, PointLocation, VerticalRay, Walk};
+use splitstar_arrangement::location::{Landmarks, Naive, PointLocation, VerticalRay, Walk};
 
 /// A strategy, with its name.
 type Named<'a, F> = (&'a str, &'a dyn PointLocation<<F as Family>::Traits, <F as Family>::Surface>);
@@ -14,7 +14,8 @@ impl<F: Drawn> World<F> {
     pub(super) fn check_rays(&self, points: &[Point2]) {
         let arrangement = self.editor.arrangement();
         let map = &self.editor.observers().2;
-        let strategies: [Named<'_, F>; 2] = [("walk", &Walk), ("trapezoids", map)];
+        let landmarks = Landmarks::new(arrangement);
+        let strategies: [Named<'_, F>; 3] = [("walk", &Walk), ("landmarks", &landmarks), ("trapezoids", map)];
         for point in points {
             let cell = Naive.locate(arrangement, point);
             let hits = VerticalRay::BOTH.map(|ray| Naive.shoot(arrangement, point, ray));
