@@ -3,8 +3,8 @@
 use super::engine::{Buffers, Engine};
 use super::status::NIL;
 use super::visitor::{Link, Strand};
-use crate::topology::{Site, Topology};
-use crate::traits::{CurveEnd, Multiplicity, UMonotoneTraits};
+use crate::topology::{Site, Topology, ends_on_side};
+use crate::traits::{Multiplicity, UMonotoneTraits};
 use std::cmp::Ordering;
 use std::ops::Range;
 
@@ -88,17 +88,11 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
         let [curve_a, curve_b] = [a, b].map(|curve| self.ways[curve as usize].curve);
         let is_ahead = |point: &G::Point| {
             // On a side curves end, and that is a site already. The point of a contracted side is not told apart by where it is.
-            let is_end_on_side = |curve: &G::UMonotoneCurve| {
-                !self.topology.end_location(self.traits, curve, CurveEnd::Max).is_interior()
-                    && self
-                        .traits
-                        .end_point(curve, CurveEnd::Max)
-                        .is_some_and(|end| self.traits.is_same_point(end, point))
-            };
             let meeting = Site::of_point(self.topology, self.traits, point);
             meeting.location.is_interior()
-                && !is_end_on_side(curve_a)
-                && !is_end_on_side(curve_b)
+                && ![curve_a, curve_b]
+                    .into_iter()
+                    .any(|curve| ends_on_side(self.topology, self.traits, curve, point))
                 && self.topology.compare_sites(self.traits, &meeting, site) == Ordering::Greater
                 && [a, b].into_iter().all(|curve| {
                     let end = &self.stops[self.ways[curve as usize].end as usize].site;

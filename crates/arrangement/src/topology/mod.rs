@@ -13,6 +13,7 @@ mod unbounded_plane;
 
 pub use bounded_plane::BoundedPlane;
 pub use flat_torus::FlatTorus;
+pub(crate) use site::ends_on_side;
 pub use site::{Site, SiteAt};
 pub use unbounded_plane::UnboundedPlane;
 

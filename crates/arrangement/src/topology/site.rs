@@ -79,3 +79,14 @@ impl<'a, G: BasicTraits> Site<'a, G> {
         }
     }
 }
+
+/// Tells whether a curve ends on a side, in a point that the traits have for that end.
+pub(crate) fn ends_on_side<G: BasicTraits, T: Topology<G>>(
+    topology: &T,
+    traits: &G,
+    curve: &G::UMonotoneCurve,
+    point: &G::Point,
+) -> bool {
+    !topology.end_location(traits, curve, CurveEnd::Max).is_interior()
+        && traits.end_point(curve, CurveEnd::Max).is_some_and(|end| traits.is_same_point(end, point))
+}

@@ -4,15 +4,15 @@ use exact::planar::Point2;
 use splitstar_arrangement::models::polycurve::PolycurveTraits;
 use splitstar_arrangement::models::{LinearTraits, MinimalSegmentTraits, SegmentTraits};
 use splitstar_arrangement::topology::{BoundedPlane, Topology, UnboundedPlane};
-use splitstar_arrangement::traits::{ApproxTraits, ArrangementTraits, DirectionalTraits};
+use splitstar_arrangement::traits::{ArrangementTraits, DirectionalTraits, LandmarkTraits};
 use splitstar_arrangement::wrappers::ConsolidatedTraits;
 use std::fmt::Debug;
 
 /// A family of curves on a surface.
 pub(crate) trait Family: Debug {
     type Traits: ArrangementTraits<Point = Point2, Curve: Debug, UMonotoneCurve: Debug>
-        + ApproxTraits
         + DirectionalTraits
+        + LandmarkTraits
         + Clone;
     type Surface: Topology<Self::Traits>;
 

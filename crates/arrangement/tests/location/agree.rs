@@ -1,9 +1,11 @@
 //! All strategies against the naive one.
 
-use splitstar_arrangement::location::{Naive, PointLocation, TrapezoidalMap, VerticalRay, Walk};
+use splitstar_arrangement::location::{
+    LandmarkGenerator, Landmarks, Naive, PointLocation, TrapezoidalMap, VerticalRay, Walk,
+};
 use splitstar_arrangement::overlay::Cell;
 use splitstar_arrangement::topology::Topology;
-use splitstar_arrangement::traits::UMonotoneTraits;
+use splitstar_arrangement::traits::{LandmarkTraits, UMonotoneTraits};
 use splitstar_arrangement::{Arrangement, locate_all};
 
 /// The cell of a point, and what rays up and down from it meet.
@@ -19,13 +21,16 @@ fn answer<G: UMonotoneTraits, T: Topology<G>>(
 }
 
 /// Checks that all strategies answer alike, and gives their answers.
-pub(crate) fn assert_agree<G: UMonotoneTraits, T: Topology<G>>(
+pub(crate) fn assert_agree<G: UMonotoneTraits + LandmarkTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     points: &[G::Point],
     context: &str,
 ) -> Vec<Answer> {
     let map = TrapezoidalMap::new(arrangement);
-    let strategies: [(&str, &dyn PointLocation<G, T>); 2] = [("walk", &Walk), ("trapezoids", &map)];
+    let landmarks = Landmarks::new(arrangement);
+    let few = Landmarks::with_generator(arrangement, LandmarkGenerator::Halton { count: Some(3) });
+    let strategies: [(&str, &dyn PointLocation<G, T>); 4] =
+        [("walk", &Walk), ("landmarks", &landmarks), ("few landmarks", &few), ("trapezoids", &map)];
     let expected: Vec<Answer> = points.iter().map(|point| answer(&Naive, arrangement, point)).collect();
     for (name, strategy) in strategies {
         for (point, expected) in points.iter().zip(&expected) {

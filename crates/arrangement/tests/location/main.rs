@@ -8,6 +8,7 @@ mod agree;
 #[allow(dead_code, reason = "the harness uses all of it")]
 mod curves;
 #[path = "../common/family.rs"]
+#[allow(dead_code, reason = "the harness uses all of it")]
 mod family;
 #[path = "../harness/models.rs"]
 #[allow(dead_code, reason = "the harness uses all of it")]

@@ -5,6 +5,7 @@
 
 mod glue;
 mod increments;
+mod landmarks;
 mod paths;
 mod random;
 mod rectangle;

@@ -6,9 +6,9 @@ use exact::planar::{Point2, compare_y};
 use splitstar_arrangement::models::{Segment, SegmentTraits};
 use splitstar_arrangement::topology::{Site, SiteAt, Topology};
 use splitstar_arrangement::traits::{
-    Along, ArrangementTraits, BasicTraits, BoundaryTraits, ContractedLeftRightTraits, CurveEnd,
-    IdentifiedBottomTopTraits, Intersection, Location, Meeting, Multiplicity, NearLeftRightTraits,
-    OpenLeftRightTraits, Piece, SideKind, Sides, UMonotoneTraits, Window,
+    Along, ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, ContractedLeftRightTraits, CurveEnd,
+    IdentifiedBottomTopTraits, Intersection, LandmarkTraits, Location, Meeting, Multiplicity,
+    NearLeftRightTraits, OpenLeftRightTraits, Piece, SideKind, Sides, UMonotoneTraits, Window,
 };
 use std::cmp::Ordering;
 
@@ -177,6 +177,29 @@ impl ArrangementTraits for Transposed {
                 Piece::Curve { curve: self.part(segment), is_artificial }
             }
         }));
+    }
+}
+
+impl ApproxTraits for Transposed {
+    fn approx_point(&self, p: &Point2) -> [f64; 2] {
+        p.approx_f64()
+    }
+
+    fn approx_curve(
+        &self,
+        curve: &Part,
+        _: Option<&Point2>,
+        _: Option<&Point2>,
+        _: [f64; 4],
+        out: &mut Vec<[f64; 2]>,
+    ) {
+        out.extend(CurveEnd::BOTH.map(|end| curve.place(end).approx_f64()));
+    }
+}
+
+impl LandmarkTraits for Transposed {
+    fn approx_to_point(&self, [u, v]: [f64; 2]) -> Option<Point2> {
+        self.strip.approx_to_point([v, u]).map(|p| transposed(&p))
     }
 }
 

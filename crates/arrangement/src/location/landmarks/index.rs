@@ -43,8 +43,10 @@ impl Index {
         let is_finite = |at: &[f64; 2]| at.iter().all(|value| value.is_finite());
         let mut landmarks: Vec<Landmark> =
             places.filter(|(at, _)| is_finite(at)).map(|(at, start)| Landmark { at, start }).collect();
-        let greatest =
-            landmarks.iter().flat_map(|landmark| landmark.at).fold(0.0, |most: f64, value| most.max(value.abs()));
+        let greatest = landmarks
+            .iter()
+            .flat_map(|landmark| landmark.at)
+            .fold(0.0, |most: f64, value| most.max(value.abs()));
         let scale = if greatest > 0.0 { greatest.recip().clamp(f64::MIN_POSITIVE, f64::MAX) } else { 1.0 };
         for landmark in &mut landmarks {
             // Adding zero makes the negative zero positive.

@@ -141,7 +141,10 @@ impl Landmarks {
     }
 
     /// Landmarks spread by the generator, and where they are.
-    fn spread<G: LandmarkTraits, T: Topology<G>>(&self, arrangement: &Arrangement<G, T>) -> Vec<([f64; 2], Start)> {
+    fn spread<G: LandmarkTraits, T: Topology<G>>(
+        &self,
+        arrangement: &Arrangement<G, T>,
+    ) -> Vec<([f64; 2], Start)> {
         let traits = arrangement.traits();
         let points = arrangement.vertices().filter_map(|v| arrangement.point(v));
         let places = points.map(|point| traits.approx_point(point));

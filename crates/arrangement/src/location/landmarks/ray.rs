@@ -95,13 +95,15 @@ impl<G: BasicTraits, T: Topology<G>> Shot<'_, G, T> {
             VerticalRay::Up => (trapezoid.right, trapezoid.above),
             VerticalRay::Down => (trapezoid.left, trapezoid.below),
         };
-        match wall.filter(|&site| self.compare_u(site).is_eq() && !self.is_at_infinity(site)) {
+        match wall.filter(|&site| self.compare_u(site).is_eq()) {
+            // In an open corner of the left side curves end at which the ray never arrives.
+            Some(site) if self.is_at_infinity(site) => None,
             Some(site) => Some(Cell::Vertex(self.ground.decomposition.vertex(site))),
             None => edge.map(Cell::Edge),
         }
     }
 
-    /// Whether a site is where the ray never comes: on an open side.
+    /// Whether a site is on an open side.
     fn is_at_infinity(&self, site: SiteId) -> bool {
         let sides = self.arrangement.topology().sides();
         let is_open = |along, kinds: [SideKind; 2]| match along {
@@ -177,7 +179,9 @@ impl<G: BasicTraits, T: Topology<G>> Shot<'_, G, T> {
                 // A vertex on the seam was met at the bottom, unless the ray begins there.
                 let v = decomposition.vertex(site);
                 match spot {
-                    Spot::Site(start) if decomposition.vertex(start) == v => self.leave(site).map_err(Cell::Edge),
+                    Spot::Site(start) if decomposition.vertex(start) == v => {
+                        self.leave(site).map_err(Cell::Edge)
+                    }
                     _ => Err(Cell::Vertex(v)),
                 }
             }

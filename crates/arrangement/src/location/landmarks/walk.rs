@@ -49,7 +49,9 @@ pub(super) struct Ground {
 }
 
 impl Ground {
-    pub(super) fn new<G: UMonotoneTraits + ApproxTraits, T: Topology<G>>(arrangement: &Arrangement<G, T>) -> Self {
+    pub(super) fn new<G: UMonotoneTraits + ApproxTraits, T: Topology<G>>(
+        arrangement: &Arrangement<G, T>,
+    ) -> Self {
         let traits = arrangement.traits();
         let decomposition = VerticalDecomposition::new(arrangement);
         let (mut keys, mut heights) = (Vec::new(), Vec::new());

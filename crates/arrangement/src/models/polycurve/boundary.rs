@@ -4,8 +4,8 @@ use super::{Chain, PieceTraits, PolycurveTraits};
 use crate::traits::{
     ApproxTraits, BoundaryTraits, BoundedTraits, ClosedBottomTopTraits, ClosedLeftRightTraits,
     ContractedBottomTopTraits, ContractedLeftRightTraits, CurveEnd, IdentifiedBottomTopTraits,
-    IdentifiedLeftRightTraits, LandmarkTraits, Location, NearBottomTopTraits, NearLeftRightTraits, OpenBottomTopTraits,
-    OpenLeftRightTraits,
+    IdentifiedLeftRightTraits, LandmarkTraits, Location, NearBottomTopTraits, NearLeftRightTraits,
+    OpenBottomTopTraits, OpenLeftRightTraits,
 };
 use std::cmp::Ordering;
 

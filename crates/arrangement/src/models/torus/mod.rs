@@ -24,8 +24,8 @@ pub use segment::TorusSegment;
 use super::straight::{self, Straight};
 use crate::traits::{
     Along, ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, CurveEnd, DirectionalTraits,
-    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, LandmarkTraits, Location, Meeting, Multiplicity,
-    Piece, UMonotoneTraits, Window,
+    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, LandmarkTraits, Location, Meeting,
+    Multiplicity, Piece, UMonotoneTraits, Window,
 };
 use exact::planar::{Point2, compare_x, compare_xy, compare_y, side_of_key};
 use exact::{Rational, Sign};

@@ -1,11 +1,11 @@
 //! Landmarks against the sweep, and rays against all edges one by one.
 
+mod cases;
+
 use super::*;
 use crate::models::{LinearTraits, SegmentTraits, TorusSegmentTraits};
 use crate::queries::locate_all;
-use crate::random::{
-    Numbers, Scene, random_cylinder, random_lines, random_paths, random_segments,
-};
+use crate::random::{Numbers, Scene, random_cylinder, random_lines, random_paths, random_segments};
 use crate::traits::{Along, ArrangementTraits};
 use dcel::HalfedgeId;
 use exact::Rational;
@@ -67,7 +67,10 @@ fn quotient(p: i64, q: i64) -> Rational {
 }
 
 /// The place in the closed rectangle at which a halfedge begins; `None` at infinity.
-fn start_of<G: Model, T: Topology<G>>(arrangement: &Arrangement<G, T>, h: HalfedgeId) -> Option<[Rational; 2]> {
+fn start_of<G: Model, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    h: HalfedgeId,
+) -> Option<[Rational; 2]> {
     let site = arrangement.start_site(h);
     let mut at = site.point()?.coordinates();
     if let Some(size) = arrangement.traits().size() {
