@@ -1,8 +1,4 @@
-<<<<<<< HEAD
-//! Strategies of point location: those that need no preparation, landmarks made anew, and those that follow edits.
-=======
 //! All strategies of point location: the map follows the edits, landmarks are set anew.
->>>>>>> e
 
 use super::drawn::Drawn;
 use super::steps::World;
@@ -19,12 +15,8 @@ impl<F: Drawn> World<F> {
         let arrangement = self.editor.arrangement();
         let map = &self.editor.observers().2;
         let landmarks = Landmarks::new(arrangement);
-<<<<<<< HEAD
-        let strategies: [Named<'_, F>; 3] = [("walk", &Walk), ("landmarks", &landmarks), ("trapezoids", map)];
-=======
         let strategies: [Named<'_, F>; 3] =
             [("walk", &Walk), ("landmarks", &landmarks), ("trapezoids", map)];
->>>>>>> e
         for point in points {
             let cell = Naive.locate(arrangement, point);
             let hits = VerticalRay::BOTH.map(|ray| Naive.shoot(arrangement, point, ray));
