@@ -8,6 +8,7 @@ use crate::family::Family;
 use dcel::{EdgeId, FaceId, HalfedgeId, VertexId};
 use exact::Rational;
 use exact::planar::Point2;
+use splitstar_arrangement::overlay::Cell;
 use splitstar_arrangement::{Arrangement, locate_all};
 
 pub(super) type Made<F> = Arrangement<<F as Family>::Traits, <F as Family>::Surface>;
