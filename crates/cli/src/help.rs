@@ -206,7 +206,6 @@ An answer a line, in the order of the points: `vertex 12`, `edge 5` or `face 0`,
 file of the arrangement.
 
 example:
-  splitstar arrange curves.txt -o curves.star
   splitstar locate curves.star points.txt
   echo 1/2 0.25 | splitstar locate curves.star - --ray up
 ";

@@ -44,7 +44,9 @@ pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
         ["widths"] => widths::run(),
         ["--case", a, b] => case(&[PathBuf::from(a), PathBuf::from(b)]),
         ["repeat", a, b, times] => repeat(&[PathBuf::from(a), PathBuf::from(b)], times.parse()?),
-        _ => Err("usage: cargo xtask bench [growth|arrangements|editing|location|widths|repeat A B N]".into()),
+        _ => {
+            Err("usage: cargo xtask bench [growth|arrangements|editing|location|widths|repeat A B N]".into())
+        }
     }
 }
 

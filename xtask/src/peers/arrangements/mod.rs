@@ -28,9 +28,9 @@ use super::{BUDGET, LEAST, report, setup};
 use crate::{Failure, python, shell};
 pub(crate) use edits::{Holes, split_off_faces};
 pub(crate) use once::{Measured, fresh};
+pub(crate) use places::{Search, searches};
 use rows::{Peer, ROWS, Row};
 use table::{Outcome, Run};
-pub(crate) use places::{Search, searches};
 pub(crate) use task::{Family, Operation, Strategy, Task};
 
 /// What the results of this command are called, beside those of the sums.
