@@ -23,6 +23,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         [min, max]: [At; 2],
         first: TrapezoidId,
     ) -> EdgeId {
+        // A vertex may have been made in it since it was found.
+        let first = self.trapezoids.first_part(first);
         let dcel = self.arrangement.dcel();
         let is_alone = [min, max].iter().all(|at| dcel.outgoing(at.v).is_none());
         let face = is_alone.then(|| self.trapezoids.face_of(&self.arrangement, first));

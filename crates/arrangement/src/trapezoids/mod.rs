@@ -348,7 +348,7 @@ impl<G: BasicTraits> Trapezoids<G> {
     }
 
     fn new_trapezoid(&mut self, trapezoid: Trapezoid) -> TrapezoidId {
-        debug_assert!(trapezoid.became == Branch::NONE, "what is cut was there");
+        debug_assert!(trapezoid.became == Branch::NONE, "a trapezoid that was cut is cut again");
         self.count += 1;
         self.trapezoids.push(trapezoid);
         TrapezoidId::new(self.trapezoids.len() - 1)

@@ -1,6 +1,6 @@
 //! Which trapezoid has a place in it.
 
-use super::structure::{Comparison, OrderRange, Step};
+use super::structure::{Branch, Comparison, OrderRange, Step};
 use super::{Side, SiteId, TrapezoidId, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::{Site, Topology};
@@ -132,6 +132,20 @@ impl<G: BasicTraits> Trapezoids<G> {
         };
         self.structure.note_steps(steps, self.count());
         (found, is_on_curve)
+    }
+
+    /// The first part, from the left, of a trapezoid that may have been cut by walls since it was found.
+    pub(crate) fn first_part(&self, t: TrapezoidId) -> TrapezoidId {
+        let mut branch = Branch::leaf(t);
+        loop {
+            match self.structure.at(branch, &self.trapezoids) {
+                Step::End(t) => return t,
+                Step::Node(node) => {
+                    debug_assert!(matches!(node.comparison(), Comparison::Site(..)), "no edge came since");
+                    branch = node.branches()[0];
+                }
+            }
+        }
     }
 
     /// Finds a place on the bottom or top side, below or above all curves. Its point may be one of the interior of the parameter space, straight

@@ -155,7 +155,8 @@ fn first_on_ray<G: Model, T: Topology<G>>(
                 (None, VerticalRay::Up) => quotient(1, 16),
                 (None, VerticalRay::Down) => quotient(-1, 16),
             };
-            locate_all(arrangement, &[Point2::from_rationals(&[x, y + step])])[0]
+            let beside = arrangement.traits().home(Point2::from_rationals(&[x, y + step]));
+            locate_all(arrangement, &[beside])[0]
         }
     }
 }
