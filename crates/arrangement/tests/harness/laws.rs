@@ -110,6 +110,10 @@ fn check_points(traits: &impl BasicTraits<Point = Point2>, points: &[(P, Point2)
             assert_eq!(traits.compare_uv(own_p, own_q), p.cmp(q), "{context}: {p:?} {q:?}");
             assert_eq!(traits.compare_u(own_p, own_q), p[0].cmp(&q[0]), "{context}: {p:?} {q:?}");
             assert_eq!(traits.is_same_point(own_p, own_q), p == q, "{context}: {p:?} {q:?}");
+            let [(low, spread), (other, other_spread)] = [own_p, own_q].map(|p| traits.order_range(p));
+            if spread != u32::MAX && other_spread != u32::MAX && other > low + u64::from(spread) {
+                assert!(p[0] < q[0], "{context}: {p:?} {q:?}");
+            }
         }
     }
 }
@@ -124,6 +128,8 @@ fn check_curve<M: Model>(model: &M, known: &Known<M>, points: &[(P, Point2)], co
         assert_eq!(traits.is_in_u_range(own, curve), known.is_in_u_range(p), "{}", context());
         if known.is_in_u_range(p) {
             assert_eq!(traits.compare_v_at_u(own, curve), known.compare(p), "{}", context());
+            let by_key = traits.compare_v_at_u_by_key(own, &traits.side_key(curve));
+            assert!(by_key.is_none_or(|order| order == known.compare(p)), "{}", context());
         }
         let is_inside = has_point(&known.source, p) && !known.ends.contains(&Some(p.clone()));
         if is_inside {

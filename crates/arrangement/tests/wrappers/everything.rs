@@ -22,6 +22,18 @@ impl BasicTraits for Everything {
         u64::from(p.unsigned_abs())
     }
 
+    fn order_range(&self, p: &i32) -> (u64, u32) {
+        (u64::from(p.unsigned_abs()), 81)
+    }
+
+    fn side_key(&self, curve: &Line) -> [u32; 3] {
+        [82, curve.0[0].unsigned_abs(), curve.0[1].unsigned_abs()]
+    }
+
+    fn compare_v_at_u_by_key(&self, p: &i32, key: &[u32; 3]) -> Option<Ordering> {
+        (*p == 83 && *key == [1, 2, 84]).then_some(Greater)
+    }
+
     fn compare_u(&self, p: &i32, q: &i32) -> Ordering {
         p.cmp(q)
     }
@@ -273,6 +285,9 @@ pub(crate) fn call_each<G: All<Point = i32>>(
         format!("{:?}", G::MEET_ONCE),
         format!("{:?}", traits.compare_u(&1, &2)),
         format!("{:?}", traits.order_key(&3)),
+        format!("{:?}", traits.order_range(&3)),
+        format!("{:?}", traits.side_key(a)),
+        format!("{:?}", traits.compare_v_at_u_by_key(&83, &[1, 2, 84])),
         format!("{:?}", traits.compare_uv(&1, &2)),
         format!("{:?}", traits.is_canonical(&79)),
         format!("{:?}", traits.is_own_curve(a)),

@@ -93,9 +93,17 @@ fn check(points: &[(Point2, [Rational; 2])], lines: &[Line2]) {
                 assert_eq!(compare_y(p, q), y, "y of {p}, {q}, {start:?}");
                 assert_eq!(compare_xy(p, q), x.then(y), "{p}, {q}, {start:?}");
                 assert_eq!(p == q, exact == other);
+                let [(low, spread), (other_low, other_spread)] = [p, q].map(|p| p.order_range());
+                if spread != u32::MAX && other_spread != u32::MAX && other_low > low + u64::from(spread) {
+                    assert_eq!(x, Ordering::Less, "ranges of {p}, {q}");
+                }
             }
             for line in lines {
-                assert_eq!(side_of_line(p, line), value(line, exact).sign(), "{p}, {line}, {start:?}");
+                let sign = value(line, exact).sign();
+                assert_eq!(side_of_line(p, line), sign, "{p}, {line}, {start:?}");
+                if let Some(by_key) = side_of_key(p, &line.side_key()) {
+                    assert_eq!(by_key, sign, "{p} by the key of {line}, {start:?}");
+                }
             }
         }
     }

@@ -15,8 +15,7 @@ impl<F: Drawn> World<F> {
         let arrangement = self.editor.arrangement();
         let map = &self.editor.observers().2;
         let landmarks = Landmarks::new(arrangement);
-        let strategies: [Named<'_, F>; 3] =
-            [("walk", &Walk), ("landmarks", &landmarks), ("trapezoids", map)];
+        let strategies: [Named<'_, F>; 3] = [("walk", &Walk), ("landmarks", &landmarks), ("trapezoids", map)];
         for point in points {
             let cell = Naive.locate(arrangement, point);
             let hits = VerticalRay::BOTH.map(|ray| Naive.shoot(arrangement, point, ray));
