@@ -60,6 +60,16 @@ pub trait PointLocation<G: BasicTraits, T> {
     /// If the strategy is for another state of the arrangement, or for another arrangement.
     fn locate(&self, arrangement: &Arrangement<G, T>, point: &G::Point) -> Result<Cell, Stale>;
 
+    /// Finds the cells in which points lie, in the order of the points.
+    ///
+    /// Where nothing is prepared, [`locate_all`](crate::locate_all) is the better way.
+    ///
+    /// # Errors
+    /// As [`locate`](Self::locate).
+    fn locate_all(&self, arrangement: &Arrangement<G, T>, points: &[G::Point]) -> Result<Vec<Cell>, Stale> {
+        points.iter().map(|point| self.locate(arrangement, point)).collect()
+    }
+
     /// Finds the vertex or edge that a vertical ray meets first; if there is none, the face through which it leaves.
     ///
     /// The point from which the ray starts does not count, nor does a vertex or an edge that it leaves at once. But a vertical edge along

@@ -189,22 +189,6 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Column<'a, G, T> {
         first.map(|(_, bar)| bar)
     }
 
-    /// The bar that follows another in the direction of a ray and is not behind the point, if it is among those given.
-    pub(super) fn next(&self, bars: impl Iterator<Item = Bar>, last: Bar, ray: VerticalRay) -> Option<Bar> {
-        let behind = match ray {
-            VerticalRay::Up => Ordering::Greater,
-            VerticalRay::Down => Ordering::Less,
-        };
-        let mut next = None;
-        for bar in bars {
-            let is_between = self.compare_with_point(bar) != behind && self.is_before(last, bar, ray);
-            if is_between && next.is_none_or(|other| self.is_before(bar, other, ray)) {
-                next = Some(bar);
-            }
-        }
-        next
-    }
-
     /// Tells whether one bar is met before another by a ray that meets both before it comes to a side.
     fn is_before(&self, a: Bar, b: Bar, ray: VerticalRay) -> bool {
         match ray {

@@ -66,6 +66,12 @@ impl<G: UMonotoneTraits, T: Topology<G>> PointLocation<G, T> for TrapezoidalMap<
         Ok(self.trapezoids.locate(arrangement, point))
     }
 
+    /// A few searches go on at the same time, so that they share the time in which memory is waited for.
+    fn locate_all(&self, arrangement: &Arrangement<G, T>, points: &[G::Point]) -> Result<Vec<Cell>, Stale> {
+        Stale::check(self.stamp, arrangement.stamp())?;
+        Ok(self.trapezoids.locate_all(arrangement, points))
+    }
+
     fn shoot(
         &self,
         arrangement: &Arrangement<G, T>,

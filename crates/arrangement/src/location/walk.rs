@@ -8,6 +8,8 @@ use crate::overlay::Cell;
 use crate::topology::Topology;
 use crate::traits::UMonotoneTraits;
 use dcel::FaceId;
+use std::cmp::Ordering;
+use std::collections::HashMap;
 
 /// Walks along the vertical line through the point, from face to face. Nothing is prepared.
 ///
@@ -15,8 +17,8 @@ use dcel::FaceId;
 /// meets next on the boundary of the face, crosses it, and so on until the point is not behind that.
 ///
 /// # Complexity
-/// To find the beginning, O(n / k) predicates are expected if edges are in no order and k of n have the u of the point; then a number linear in
-/// the sizes of the faces that are passed.
+/// To find the beginning, O(n / k) predicates are expected if edges are in no order and k of n have the u of the point. Then it takes a number
+/// linear in the sizes of the faces that are passed, each counted once, and O(log k) for each step.
 ///
 /// # Examples
 /// ```
@@ -41,21 +43,37 @@ use dcel::FaceId;
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
 pub struct Walk;
 
-/// What of the boundary of a face is on the line.
-fn boundary<'a, G: UMonotoneTraits, T: Topology<G>>(
-    arrangement: &'a Arrangement<G, T>,
-    column: &'a Column<'_, G, T>,
+/// What of the boundary of a face is on the line, in its order from below.
+fn boundary<G: UMonotoneTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    column: &Column<'_, G, T>,
     face: FaceId,
-) -> impl Iterator<Item = Bar> + 'a {
+) -> Vec<Bar> {
     let dcel = arrangement.dcel();
-    let halfedges = dcel.face_ccbs(face).flat_map(|ccb| dcel.ccb_cycle(ccb));
-    let along = halfedges.flat_map(|h| {
-        let vertex = Some(dcel.source(h)).filter(|&v| column.has_vertex(v));
-        let edge = Some(h.edge_id()).filter(|&e| column.has_edge(e));
-        vertex.map(Bar::Vertex).into_iter().chain(edge.map(Bar::Edge))
-    });
-    let isolated = dcel.isolated_vertices(face).filter(|&v| column.has_vertex(v));
-    along.chain(isolated.map(Bar::Vertex))
+    let mut bars = Vec::new();
+    for h in dcel.face_ccbs(face).flat_map(|ccb| dcel.ccb_cycle(ccb)) {
+        bars.extend(Some(dcel.source(h)).filter(|&v| column.has_vertex(v)).map(Bar::Vertex));
+        bars.extend(Some(h.edge_id()).filter(|&e| column.has_edge(e)).map(Bar::Edge));
+    }
+    bars.extend(dcel.isolated_vertices(face).filter(|&v| column.has_vertex(v)).map(Bar::Vertex));
+    bars.sort_unstable_by(|&a, &b| column.compare(a, b));
+    // Both halves of an edge may be on the boundary, and a vertex at several corners of it.
+    bars.dedup();
+    bars
+}
+
+/// The bar next to one of a face, in the direction of a ray.
+fn next<G: UMonotoneTraits, T: Topology<G>>(
+    column: &Column<'_, G, T>,
+    bars: &[Bar],
+    last: Bar,
+    ray: VerticalRay,
+) -> Option<Bar> {
+    match ray {
+        VerticalRay::Up => bars[bars.partition_point(|&bar| column.compare(bar, last).is_le())..].first(),
+        VerticalRay::Down => bars[..bars.partition_point(|&bar| column.compare(bar, last).is_lt())].last(),
+    }
+    .copied()
 }
 
 /// Where a walk begins.
@@ -91,7 +109,10 @@ fn walk<G: UMonotoneTraits, T: Topology<G>>(
         Some(Start::There(cell)) => return cell,
         Some(Start::Bar(bar)) => bar,
     };
+    // A line may pass a face with many holes many times.
+    let mut known: HashMap<FaceId, Vec<Bar>> = HashMap::new();
     let ray = if column.compare_with_point(bar).is_lt() { VerticalRay::Up } else { VerticalRay::Down };
+    let behind = if ray == VerticalRay::Up { Ordering::Greater } else { Ordering::Less };
     while column.compare_with_point(bar).is_ne() {
         let along = match bar {
             Bar::Vertex(v) => column.along(v, ray),
@@ -105,7 +126,10 @@ fn walk<G: UMonotoneTraits, T: Topology<G>>(
             bar = Bar::Vertex(if ray == VerticalRay::Up { max } else { min });
         } else {
             let face = column.face_beside(bar.cell(), ray);
-            match column.next(boundary(arrangement, column, face), bar, ray) {
+            let bars = known.entry(face).or_insert_with(|| boundary(arrangement, column, face));
+            match next(column, bars, bar, ray) {
+                // Behind the point: it is in between.
+                Some(next) if column.compare_with_point(next) == behind => return Cell::Face(face),
                 Some(next) => bar = next,
                 None => return Cell::Face(face),
             }
@@ -127,6 +151,6 @@ impl<G: UMonotoneTraits, T: Topology<G>> PointLocation<G, T> for Walk {
     ) -> Result<Cell, Stale> {
         let column = Column::new(arrangement, point);
         let cell = walk(arrangement, &column);
-        Ok(column.shoot(cell, |face| boundary(arrangement, &column, face), ray))
+        Ok(column.shoot(cell, |face| boundary(arrangement, &column, face).into_iter(), ray))
     }
 }

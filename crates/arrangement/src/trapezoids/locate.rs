@@ -14,18 +14,42 @@ impl<G: BasicTraits> Trapezoids<G> {
     /// vertex there from which no edge goes to the right.
     pub(crate) fn locate<T: Topology<G>>(&self, arrangement: &Arrangement<G, T>, point: &G::Point) -> Cell {
         let place = Site::of_point(arrangement.topology(), arrangement.traits(), point);
-        match self.search(arrangement, &place, &Toward::Here) {
-            (Found::Site(site), _) => Cell::Vertex(self.vertex(site)),
-            (Found::Within(t), is_on_curve) => {
-                let below = self.trapezoid(t).below;
-                if is_on_curve && !below.is_none() {
-                    let rail = self.rail(below);
-                    if side(arrangement, &place, &arrangement.curves()[rail.curve as usize]).is_eq() {
-                        return Cell::Edge(rail.edge);
-                    }
-                }
-                Cell::Face(self.face_of(arrangement, t))
+        let (found, is_on_curve) = self.search(arrangement, &place, &Toward::Here);
+        self.cell(arrangement, &place, found, is_on_curve)
+    }
+
+    /// The cells in which points lie, in their order: see [`search_all`](Self::search_all).
+    pub(crate) fn locate_all<T: Topology<G>>(
+        &self,
+        arrangement: &Arrangement<G, T>,
+        points: &[G::Point],
+    ) -> Vec<Cell> {
+        let places = points.iter().map(|p| Site::of_point(arrangement.topology(), arrangement.traits(), p));
+        let mut cells = Vec::with_capacity(points.len());
+        self.search_all(arrangement, places, |place, found, is_on_curve| {
+            cells.push(self.cell(arrangement, place, found, is_on_curve));
+        });
+        cells
+    }
+
+    fn cell<T: Topology<G>>(
+        &self,
+        arrangement: &Arrangement<G, T>,
+        place: &Site<'_, G>,
+        found: Found,
+        is_on_curve: bool,
+    ) -> Cell {
+        let t = match found {
+            Found::Site(site) => return Cell::Vertex(self.vertex(site)),
+            Found::Within(t) => t,
+        };
+        let below = self.trapezoid(t).below;
+        if is_on_curve && !below.is_none() {
+            let rail = self.rail(below);
+            if side(arrangement, place, &arrangement.curves()[rail.curve as usize]).is_eq() {
+                return Cell::Edge(rail.edge);
             }
         }
+        Cell::Face(self.face_of(arrangement, t))
     }
 }

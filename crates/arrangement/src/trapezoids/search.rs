@@ -1,6 +1,6 @@
 //! Which trapezoid has a place in it.
 
-use super::structure::{Branch, Comparison, OrderRange, Step};
+use super::structure::{Branch, Comparison, Node, OrderRange, Step};
 use super::{Side, SiteId, TrapezoidId, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::{Site, Topology};
@@ -73,6 +73,26 @@ pub(crate) fn compare_right<G: BasicTraits, T: Topology<G>>(
     }
 }
 
+/// How many searches go on at the same time.
+const AT_ONCE: usize = 16;
+
+/// A place that is looked for.
+struct Search<'a, G: BasicTraits> {
+    place: Site<'a, G>,
+    /// Its point, if it is in the interior of the parameter space.
+    inside: Option<&'a G::Point>,
+    range: OrderRange,
+    /// Whether it was on a curve with which it was compared.
+    is_on_curve: bool,
+}
+
+impl<'a, G: BasicTraits> Search<'a, G> {
+    fn new<T: Topology<G>>(arrangement: &Arrangement<G, T>, place: Site<'a, G>) -> Self {
+        let inside = place.point().filter(|_| place.location.is_interior());
+        Self { place, inside, range: OrderRange::of(arrangement.traits(), &place), is_on_curve: false }
+    }
+}
+
 impl<G: BasicTraits> Trapezoids<G> {
     /// Finds a place. Also tells whether it may be on an edge: it is on none if it was on no curve with which it was compared.
     ///
@@ -83,55 +103,111 @@ impl<G: BasicTraits> Trapezoids<G> {
         place: &Site<'_, G>,
         toward: &Toward<'_, G>,
     ) -> (Found, bool) {
-        let (traits, topology) = (arrangement.traits(), arrangement.topology());
-        let inside = place.point().filter(|_| place.location.is_interior());
-        let range = OrderRange::of(traits, place);
+        let mut search = Search::new(arrangement, *place);
         let mut branch = self.structure.root();
         let mut steps = 0;
-        let mut is_on_curve = false;
         let found = loop {
             steps += 1;
             let node = match self.structure.at(branch, &self.trapezoids) {
                 Step::End(t) => break Found::Within(t),
                 Step::Node(node) => node,
             };
-            let is_behind = match node.comparison() {
-                Comparison::Site(site, other) => match range.is_behind(other) {
-                    Some(is_behind) => is_behind,
-                    None => match topology.compare_sites(traits, place, &self.place(arrangement, site)) {
-                        Ordering::Less => false,
-                        Ordering::Greater => true,
-                        Ordering::Equal => match toward {
-                            Toward::Here if !self.is_gone(site) => break Found::Site(site),
-                            _ => true,
-                        },
-                    },
-                },
-                Comparison::Curve(curve, key) => {
-                    let by_key = inside.and_then(|point| traits.compare_v_at_u_by_key(point, &key));
-                    let order = by_key.unwrap_or_else(|| {
-                        let curve = &arrangement.curves()[curve as usize];
-                        match side(arrangement, place, curve) {
-                            Ordering::Equal => {
-                                is_on_curve = true;
-                                match toward {
-                                    Toward::Here => Ordering::Greater,
-                                    Toward::Straight(side) => side.order(),
-                                    Toward::Right(other, side) => {
-                                        compare_right(arrangement, other, curve, place).then(side.order())
-                                    }
-                                }
-                            }
-                            order => order,
-                        }
-                    });
-                    order.is_ge()
-                }
-            };
-            branch = node.branches()[usize::from(is_behind)];
+            match self.compare(arrangement, &mut search, toward, node) {
+                Ok(is_behind) => branch = node.branches()[usize::from(is_behind)],
+                Err(site) => break Found::Site(site),
+            }
         };
         self.structure.note_steps(steps, self.count());
-        (found, is_on_curve)
+        (found, search.is_on_curve)
+    }
+
+    /// Finds many places, a few at a time, so that what one of them waits for is fetched while others are compared. Gives for each what
+    /// [`search`](Self::search) gives.
+    ///
+    /// # Complexity
+    /// That of as many searches; but most of their time is waiting for memory, and that they share.
+    pub(crate) fn search_all<'a, T: Topology<G>>(
+        &self,
+        arrangement: &Arrangement<G, T>,
+        places: impl Iterator<Item = Site<'a, G>>,
+        mut found: impl FnMut(&Site<'a, G>, Found, bool),
+    ) where
+        G: 'a,
+    {
+        let mut places = places.map(|place| Search::new(arrangement, place)).peekable();
+        let mut group = Vec::with_capacity(AT_ONCE);
+        while places.peek().is_some() {
+            group.clear();
+            group.extend(places.by_ref().take(AT_ONCE).map(|search| (search, Err(self.structure.root()))));
+            let mut open = group.len();
+            while open > 0 {
+                // All nodes are asked for before one is looked at.
+                let mut nodes = [None; AT_ONCE];
+                for (node, (_, at)) in nodes.iter_mut().zip(&mut group) {
+                    let Err(branch) = *at else { continue };
+                    match self.structure.at(branch, &self.trapezoids) {
+                        Step::Node(next) => *node = Some(*next),
+                        Step::End(t) => (*at, open) = (Ok(Found::Within(t)), open - 1),
+                    }
+                }
+                for (node, (search, at)) in nodes.iter().zip(&mut group) {
+                    let Some(node) = node else { continue };
+                    match self.compare(arrangement, search, &Toward::Here, node) {
+                        Ok(is_behind) => *at = Err(node.branches()[usize::from(is_behind)]),
+                        Err(site) => (*at, open) = (Ok(Found::Site(site)), open - 1),
+                    }
+                }
+            }
+            for (search, at) in &group {
+                found(&search.place, at.expect("no search is open"), search.is_on_curve);
+            }
+        }
+    }
+
+    /// Compares what is looked for with a node: whether it is behind, or the site there if it is found.
+    #[inline]
+    fn compare<T: Topology<G>>(
+        &self,
+        arrangement: &Arrangement<G, T>,
+        search: &mut Search<'_, G>,
+        toward: &Toward<'_, G>,
+        node: &Node,
+    ) -> Result<bool, SiteId> {
+        let (traits, topology) = (arrangement.traits(), arrangement.topology());
+        let place = &search.place;
+        match node.comparison() {
+            Comparison::Site(site, other) => match search.range.is_behind(other) {
+                Some(is_behind) => Ok(is_behind),
+                None => match topology.compare_sites(traits, place, &self.place(arrangement, site)) {
+                    Ordering::Less => Ok(false),
+                    Ordering::Greater => Ok(true),
+                    Ordering::Equal => match toward {
+                        Toward::Here if !self.is_gone(site) => Err(site),
+                        _ => Ok(true),
+                    },
+                },
+            },
+            Comparison::Curve(curve, key) => {
+                let by_key = search.inside.and_then(|point| traits.compare_v_at_u_by_key(point, &key));
+                let order = by_key.unwrap_or_else(|| {
+                    let curve = &arrangement.curves()[curve as usize];
+                    match side(arrangement, place, curve) {
+                        Ordering::Equal => {
+                            search.is_on_curve = true;
+                            match toward {
+                                Toward::Here => Ordering::Greater,
+                                Toward::Straight(side) => side.order(),
+                                Toward::Right(other, side) => {
+                                    compare_right(arrangement, other, curve, place).then(side.order())
+                                }
+                            }
+                        }
+                        order => order,
+                    }
+                });
+                Ok(order.is_ge())
+            }
+        }
     }
 
     /// The first part, from the left, of a trapezoid that may have been cut by walls since it was found.
