@@ -21,7 +21,8 @@
 //! | [`Arrangement`] | the cells: [`Arrangement::of_curves`], [`Arrangement::insert_curves`], [`Arrangement::counts`] |
 //! | [`Pieces`] | u-monotone curves and points, for [`Arrangement::of_pieces`]; with curves that are to be cut, [`Arrangement::of_curves_and_points`], [`Arrangement::insert_points`] |
 //! | [`Arrangement::user_view`], [`Arrangement::check_valid`], [`Arrangement::is_isomorphic`] | cells without artificial vertices; violations; comparison |
-//! | [`locate_all`], [`intersections`], [`subcurves`], [`do_any_meet`] | questions that one sweep answers |
+//! | [`locate_all`] | in which cells many points lie |
+//! | [`locate_by_sweep`], [`intersections`], [`subcurves`], [`do_any_meet`] | questions that one sweep answers |
 //!
 //! How a new family is written, `docs/write-your-own-curve.md` shows; why things are as they are, `docs/arrangement.md`.
 //!
@@ -168,4 +169,5 @@ pub use arrangement::{
 };
 pub use editor::{Editor, MergedEdges, Renumbering, SplitParts, VertexNeed, VertexNeeded};
 pub use insert::Pieces;
-pub use queries::{CommonEnds, do_any_meet, intersections, locate_all, locate_all_with, subcurves};
+pub use location::locate_all;
+pub use queries::{CommonEnds, do_any_meet, intersections, locate_by_sweep, locate_by_sweep_with, subcurves};

@@ -9,12 +9,13 @@
 //! | [`Landmarks`] | O(n log n) | a k-d tree, and a walk that is expected to be short | no: made anew |
 //! | [`TrapezoidalMap`] | expected O(n log n) | expected O(log n) | as an observer |
 //!
-//! Many points at once are found by one sweep: [`locate_all`](crate::locate_all). An [`Editor`](crate::Editor) keeps a trapezoidal map
+//! For many points at once, [`locate_all`] chooses between one sweep and a structure. An [`Editor`](crate::Editor) keeps a trapezoidal map
 //! for itself, and locates without another.
 //!
 //! # References
 //! Thesis, sections 2.4.5 and 6.1.3.
 
+mod batch;
 mod landmarks;
 mod naive;
 mod over;
@@ -25,6 +26,7 @@ use crate::arrangement::Arrangement;
 use crate::edit::Stale;
 use crate::overlay::Cell;
 use crate::traits::BasicTraits;
+pub use batch::{BatchStrategy, locate_all};
 pub use landmarks::{LandmarkGenerator, Landmarks};
 pub use naive::Naive;
 pub use trapezoidal::TrapezoidalMap;
@@ -62,7 +64,7 @@ pub trait PointLocation<G: BasicTraits, T> {
 
     /// Finds the cells in which points lie, in the order of the points.
     ///
-    /// Where nothing is prepared, [`locate_all`](crate::locate_all) is the better way.
+    /// Where nothing is prepared, the function [`locate_all`] is the better way.
     ///
     /// # Errors
     /// As [`locate`](Self::locate).

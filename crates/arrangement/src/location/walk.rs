@@ -7,7 +7,7 @@ use crate::edit::Stale;
 use crate::overlay::Cell;
 use crate::topology::Topology;
 use crate::traits::UMonotoneTraits;
-use dcel::FaceId;
+use dcel::{EdgeId, FaceId};
 use std::cmp::Ordering;
 use std::collections::HashMap;
 
@@ -17,7 +17,7 @@ use std::collections::HashMap;
 /// meets next on the boundary of the face, crosses it, and so on until the point is not behind that.
 ///
 /// # Complexity
-/// To find the beginning, O(n / k) predicates are expected if edges are in no order and k of n have the u of the point. Then it takes a number
+/// To find the beginning, about n / k edges are looked at if k of n have the u of the point. Then it takes a number
 /// linear in the sizes of the faces that are passed, each counted once, and O(log k) for each step.
 ///
 /// # Examples
@@ -84,12 +84,31 @@ enum Start {
     There(Cell),
 }
 
+/// All numbers below a bound, each once, such that the first few are scattered evenly: edges that a sweep made are in the order of u.
+fn scattered(bound: usize) -> impl Iterator<Item = u32> {
+    let bound = bound as u64;
+    let are_coprime = |mut a: u64, mut b: u64| {
+        while b != 0 {
+            (a, b) = (b, a % b);
+        }
+        a == 1
+    };
+    // Multiples of the golden ratio leave no large gap.
+    let step = (bound * 618 / 1000..bound).find(|&step| are_coprime(step, bound)).unwrap_or(1);
+    (0..bound).scan(0, move |at, _| {
+        let number = *at as u32;
+        *at = (*at + step) % bound;
+        Some(number)
+    })
+}
+
 fn start<G: UMonotoneTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     column: &Column<'_, G, T>,
 ) -> Option<Start> {
     let dcel = arrangement.dcel();
-    let at_edge = dcel.edges().find_map(|e| match column.reach(e) {
+    let mut edges = scattered(dcel.edge_bound()).map(EdgeId).filter(|&e| dcel.has_edge(e));
+    let at_edge = edges.find_map(|e| match column.reach(e) {
         Reach::Beside => None,
         Reach::Across => Some(Start::Bar(Bar::Edge(e))),
         Reach::Along if column.is_on(e) => Some(Start::There(Cell::Edge(e))),

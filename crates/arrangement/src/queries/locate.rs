@@ -8,7 +8,7 @@ use crate::traits::{Along, BasicTraits, UMonotoneTraits};
 use dcel::{EdgeId, FaceId};
 use std::ops::ControlFlow;
 
-/// Tells for each of many points in which cell of an arrangement it lies, in the order of the points.
+/// Tells by one sweep for each of many points in which cell of an arrangement it lies, in the order of the points.
 ///
 /// # Preconditions
 /// Where sides of the parameter space are identified, points have the coordinates by which the traits know them: on a torus, those
@@ -20,14 +20,14 @@ use std::ops::ControlFlow;
 /// ```
 /// use exact::planar::Point2;
 /// use splitstar_arrangement::overlay::Cell;
-/// use splitstar_arrangement::{Arrangement, locate_all, models::TorusSegmentTraits, topology::FlatTorus};
+/// use splitstar_arrangement::{Arrangement, locate_by_sweep, models::TorusSegmentTraits, topology::FlatTorus};
 ///
 /// let traits = TorusSegmentTraits::new([4.into(), 4.into()])?;
 /// let path = traits.closed_path(&Point2::from_i64([1, 1]), [1, 0])?;
 /// let arrangement = Arrangement::of_curves(traits.clone(), FlatTorus, [&path]);
 /// // (6, 5) is (2, 1), which lies on the path.
 /// let point = traits.point(&Point2::from_i64([6, 5]));
-/// assert!(matches!(locate_all(&arrangement, &[point])[..], [Cell::Edge(_)]));
+/// assert!(matches!(locate_by_sweep(&arrangement, &[point])[..], [Cell::Edge(_)]));
 /// # Ok::<(), splitstar_arrangement::models::TorusError>(())
 /// ```
 ///
@@ -36,21 +36,21 @@ use std::ops::ControlFlow;
 ///
 /// # References
 /// Thesis, section 2.4.1.
-pub fn locate_all<G: UMonotoneTraits, T: Topology<G>>(
+pub fn locate_by_sweep<G: UMonotoneTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     points: &[G::Point],
 ) -> Vec<Cell> {
-    locate_all_with(arrangement, points, |_| ControlFlow::Continue(())).expect("nobody stops the sweep")
+    locate_by_sweep_with(arrangement, points, |_| ControlFlow::Continue(())).expect("nobody stops the sweep")
 }
 
-/// Does what [`locate_all`] does; now and then `watch` is told how far the sweep has come, and may stop it. Then there is no answer.
+/// Does what [`locate_by_sweep`] does; now and then `watch` is told how far the sweep has come, and may stop it. Then there is no answer.
 ///
 /// # Preconditions
-/// Those of [`locate_all`].
+/// Those of [`locate_by_sweep`].
 ///
 /// # Complexity
-/// That of [`locate_all`]. `watch` is called once in about a thousand events.
-pub fn locate_all_with<G: UMonotoneTraits, T: Topology<G>>(
+/// That of [`locate_by_sweep`]. `watch` is called once in about a thousand events.
+pub fn locate_by_sweep_with<G: UMonotoneTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     points: &[G::Point],
     watch: impl FnMut(Progress) -> ControlFlow<()>,

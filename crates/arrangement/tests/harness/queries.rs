@@ -11,7 +11,9 @@ use exact::Rational;
 use exact::planar::Point2;
 use splitstar_arrangement::topology::Topology;
 use splitstar_arrangement::traits::{BasicTraits, CurveEnd, Intersection, UMonotoneTraits};
-use splitstar_arrangement::{Arrangement, CommonEnds, do_any_meet, intersections, locate_all, subcurves};
+use splitstar_arrangement::{
+    Arrangement, CommonEnds, do_any_meet, intersections, locate_by_sweep, subcurves,
+};
 use testkit::Rng;
 
 const BOTH: [CommonEnds; 2] = [CommonEnds::Count, CommonEnds::Ignore];
@@ -148,7 +150,7 @@ fn check_locations<M: Model>(
     let scan = Scan::new(&arrangement, cells, model.period().as_ref());
     let points = points_of_cells(cells, rng, model);
     let mut known = 0;
-    for (p, cell) in points.iter().zip(locate_all(&arrangement, &points)) {
+    for (p, cell) in points.iter().zip(locate_by_sweep(&arrangement, &points)) {
         if let Some(expected) = scan.locate(&p.coordinates()) {
             assert_eq!(cell, expected, "{p:?}, {context}: {curves:?}");
             known += 1;

@@ -6,7 +6,7 @@ use splitstar_arrangement::location::{
 use splitstar_arrangement::overlay::Cell;
 use splitstar_arrangement::topology::Topology;
 use splitstar_arrangement::traits::{LandmarkTraits, UMonotoneTraits};
-use splitstar_arrangement::{Arrangement, locate_all};
+use splitstar_arrangement::{Arrangement, locate_all, locate_by_sweep};
 
 /// The cell of a point, and what rays up and down from it meet.
 pub(crate) type Answer = [Cell; 3];
@@ -38,7 +38,13 @@ pub(crate) fn assert_agree<G: UMonotoneTraits + LandmarkTraits, T: Topology<G>>(
             assert_eq!(found, *expected, "{name} at {point:?}, {context}");
         }
     }
-    for ((point, [expected, ..]), found) in points.iter().zip(&expected).zip(locate_all(arrangement, points))
+    let cells: Vec<Cell> = expected.iter().map(|answer| answer[0]).collect();
+    for (name, strategy) in strategies {
+        assert_eq!(strategy.locate_all(arrangement, points).as_ref(), Ok(&cells), "{name} together, {context}");
+    }
+    assert_eq!(locate_all(arrangement, points), cells, "as their numbers say, {context}");
+    for ((point, [expected, ..]), found) in
+        points.iter().zip(&expected).zip(locate_by_sweep(arrangement, points))
     {
         assert_eq!(found, *expected, "one sweep at {point:?}, {context}");
     }

@@ -7,7 +7,7 @@ use crate::tables::KINDS;
 use dcel::{EdgeId, VertexId};
 use exact::Rational;
 use exact::planar::Point2;
-use splitstar_arrangement::locate_all;
+use splitstar_arrangement::locate_by_sweep;
 use splitstar_arrangement::location::{LandmarkGenerator, Landmarks, PointLocation, VerticalRay};
 use splitstar_arrangement::overlay::Cell;
 use splitstar_arrangement::topology::Topology;
@@ -71,7 +71,7 @@ fn first_on_ray(made: &Made<true>, point: &Point2, ray: VerticalRay) -> Cell {
         }
     }
     let step = Rational::new(step.into(), 16.into()).unwrap();
-    locate_all(made, &[Point2::from_rationals(&[x, y + step])])[0]
+    locate_by_sweep(made, &[Point2::from_rationals(&[x, y + step])])[0]
 }
 
 #[test]
@@ -95,7 +95,7 @@ fn landmarks_serve_strips_of_all_kinds() {
             let mut queries: Vec<Point2> =
                 grid.filter(|p| made.traits().point_of_place(p).as_ref() == Some(p)).collect();
             queries.extend(made.vertices().filter_map(|v| made.point(v).cloned()));
-            let cells = locate_all(&made, &queries);
+            let cells = locate_by_sweep(&made, &queries);
             for generator in generators {
                 let landmarks = Landmarks::with_generator(&made, generator);
                 for (p, cell) in queries.iter().zip(&cells) {
@@ -119,7 +119,7 @@ fn a_ray_to_an_open_corner_meets_no_curve_that_ends_there() {
         let made: Made<true> = make(SIZE, kinds, &[Curve::Path([[0, v], target])]);
         let p = Point2::from_i64([0, 2]);
         let met = Landmarks::new(&made).shoot(&made, &p, ray);
-        assert_eq!(met, Ok(locate_all(&made, &[p])[0]), "{ray:?}");
+        assert_eq!(met, Ok(locate_by_sweep(&made, &[p])[0]), "{ray:?}");
         assert!(matches!(met, Ok(Cell::Face(_))), "{ray:?}");
     }
 }

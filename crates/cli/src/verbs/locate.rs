@@ -8,12 +8,14 @@ use crate::located::{Answer, LocateReport, LocateSeconds, Located};
 use crate::output;
 use crate::points::{ArrangementOperand, PointOperand};
 use crate::report::Clock;
-use splitstar::arrangement::location::{Landmarks, Naive, PointLocation, TrapezoidalMap, VerticalRay, Walk};
+use splitstar::arrangement::location::{
+    BatchStrategy, Landmarks, Naive, PointLocation, TrapezoidalMap, VerticalRay, Walk,
+};
 use splitstar::arrangement::overlay::Cell;
 use splitstar::arrangement::sweep::Progress;
 use splitstar::arrangement::topology::Topology;
 use splitstar::arrangement::traits::{ApproxTraits, UMonotoneTraits};
-use splitstar::arrangement::{Arrangement, locate_all_with};
+use splitstar::arrangement::{Arrangement, locate_by_sweep_with};
 use splitstar::formats::{CurvePoint, StarArrangement};
 use std::ops::ControlFlow;
 
@@ -65,16 +67,25 @@ pub(crate) fn locate(run: &Run) -> Result<(), Failure> {
     }
 }
 
-/// Fewer points than this are not worth a sweep, or a search structure.
+/// Fewer points than this are not worth a search structure.
 const FEW: usize = 16;
 
-/// The strategy for so many points. A sweep meets them all together with the cells; where there are more of them than vertices, they are
-/// what it would spend its time on, and a search structure costs less.
+/// The strategy for so many points.
 fn chosen(points: usize, ray: Option<Ray>, arrangement: &StarArrangement) -> Strategy {
-    match ray {
-        _ if points < FEW => Strategy::Naive,
-        None if points <= arrangement.counts_with_splits().vertices => Strategy::Sweep,
-        _ => Strategy::Trapezoids,
+    if ray.is_some() {
+        return if points < FEW { Strategy::Naive } else { Strategy::Trapezoids };
+    }
+    let batch = match arrangement {
+        StarArrangement::Linear(arrangement) => BatchStrategy::choose(arrangement, points),
+        StarArrangement::Polycurves(arrangement) => BatchStrategy::choose(arrangement, points),
+        StarArrangement::Torus(arrangement) => BatchStrategy::choose(arrangement, points),
+        StarArrangement::TorusPolycurves(arrangement) => BatchStrategy::choose(arrangement, points),
+        _ => unreachable!("no other arrangement is read"),
+    };
+    match batch {
+        BatchStrategy::Naive => Strategy::Naive,
+        BatchStrategy::Sweep => Strategy::Sweep,
+        BatchStrategy::Trapezoids => Strategy::Trapezoids,
     }
 }
 
@@ -120,12 +131,12 @@ impl Work<'_> {
                     self.console.step_at("locate", progress.sites_met, progress.sites);
                     ControlFlow::Continue(())
                 };
-                locate_all_with(arrangement, points, tell).expect("nobody stops the sweep")
+                locate_by_sweep_with(arrangement, points, tell).expect("nobody stops the sweep")
             }
         }
     }
 
-    /// Prepares a strategy, and asks it about one point after the other.
+    /// Prepares a strategy, and asks it about some points after others.
     fn ask<G: UMonotoneTraits, T: Topology<G>, S: PointLocation<G, T>>(
         &mut self,
         arrangement: &Arrangement<G, T>,
@@ -140,17 +151,16 @@ impl Work<'_> {
             Ray::Up => VerticalRay::Up,
             Ray::Down => VerticalRay::Down,
         });
-        let answer = |(index, point): (usize, &G::Point)| {
-            if index.is_multiple_of(STRIDE) {
-                self.console.step_at("locate", index, points.len());
-            }
-            let cell = match ray {
-                None => location.locate(arrangement, point),
-                Some(ray) => location.shoot(arrangement, point, ray),
+        let mut answers = Vec::with_capacity(points.len());
+        for some in points.chunks(STRIDE) {
+            self.console.step_at("locate", answers.len(), points.len());
+            let cells = match ray {
+                None => location.locate_all(arrangement, some),
+                Some(ray) => some.iter().map(|point| location.shoot(arrangement, point, ray)).collect(),
             };
-            cell.expect("nobody has edited the arrangement")
-        };
-        points.iter().enumerate().map(answer).collect()
+            answers.extend(cells.expect("nobody has edited the arrangement"));
+        }
+        answers
     }
 }
 

@@ -137,7 +137,7 @@ fn debug_builds_refuse_points_and_curves_of_another_torus() {
     let empty = Arrangement::new(small, FlatTorus);
     let editor = || Editor::new(empty.clone());
     let refuses = |call: &dyn Fn()| catch_unwind(AssertUnwindSafe(call)).is_err();
-    assert!(refuses(&|| _ = crate::locate_all(&empty, std::slice::from_ref(&outside))));
+    assert!(refuses(&|| _ = crate::locate_by_sweep(&empty, std::slice::from_ref(&outside))));
     assert!(refuses(&|| _ = empty.clone().insert_points([outside.clone()])));
     assert!(refuses(&|| _ = empty.clone().insert_curves([&path])));
     assert!(refuses(&|| _ = editor().locate(&outside)));

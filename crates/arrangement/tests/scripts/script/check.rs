@@ -9,7 +9,7 @@ use dcel::{EdgeId, FaceId, HalfedgeId, VertexId};
 use exact::Rational;
 use exact::planar::Point2;
 use splitstar_arrangement::overlay::Cell;
-use splitstar_arrangement::{Arrangement, locate_all};
+use splitstar_arrangement::{Arrangement, locate_by_sweep};
 
 pub(super) type Made<F> = Arrangement<<F as Family>::Traits, <F as Family>::Surface>;
 
@@ -32,7 +32,7 @@ impl<F: Drawn> World<F> {
             let place = strokes.and_then(|strokes| Some(draw.choose(&strokes)?.at(&half)));
             points.extend(place.map(|place| self.family.at(&place)));
         }
-        for (point, cell) in points.iter().zip(locate_all(arrangement, &points)) {
+        for (point, cell) in points.iter().zip(locate_by_sweep(arrangement, &points)) {
             assert_eq!(self.editor.locate(point), cell, "at {point}, against one sweep");
             if let Some(expected) = scan.locate(point) {
                 assert_eq!(cell, expected, "at {point}, one sweep against a scan");

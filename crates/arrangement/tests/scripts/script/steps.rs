@@ -12,7 +12,7 @@ use splitstar_arrangement::overlay::Cell;
 use splitstar_arrangement::traits::{
     ArrangementTraits, BasicTraits, CurveEnd, Intersection, Piece, UMonotoneTraits,
 };
-use splitstar_arrangement::{Arrangement, Editor, Pieces, locate_all};
+use splitstar_arrangement::{Arrangement, Editor, Pieces, locate_by_sweep};
 
 type Watched<F> =
     (Undo<<F as Family>::Traits>, Mirror<<F as Family>::Traits>, TrapezoidalMap<<F as Family>::Traits>);
@@ -178,7 +178,7 @@ impl<F: Drawn> World<F> {
         // A curve without an end is not at the vertex of a side with it, for those who insert it.
         let cells = CurveEnd::BOTH.map(|end| {
             let point = traits.end_point(&curve, end)?;
-            Some(locate_all(arrangement, std::slice::from_ref(point))[0])
+            Some(locate_by_sweep(arrangement, std::slice::from_ref(point))[0])
         });
         let is_closed = match CurveEnd::BOTH.map(|end| traits.end_point(&curve, end)) {
             [Some(p), Some(q)] => traits.is_same_point(p, q),

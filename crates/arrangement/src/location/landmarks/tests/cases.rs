@@ -140,7 +140,7 @@ fn as_observers_they_follow_edits() {
         let mut editor = Editor::with_observers(empty, landmarks).unwrap();
         let queries = some_points();
         let check = |editor: &Editor<SegmentTraits, BoundedPlane, Landmarks>| {
-            let cells = locate_all(editor.arrangement(), &queries);
+            let cells = locate_by_sweep(editor.arrangement(), &queries);
             for (p, cell) in queries.iter().zip(cells) {
                 let found = editor.observers().locate(editor.arrangement(), p);
                 assert_eq!(found, Ok(cell), "seed {seed}, {p}");

@@ -4,7 +4,7 @@ mod cases;
 
 use super::*;
 use crate::models::{LinearTraits, SegmentTraits, TorusSegmentTraits};
-use crate::queries::locate_all;
+use crate::queries::locate_by_sweep;
 use crate::random::{Numbers, Scene, random_cylinder, random_lines, random_paths, random_segments};
 use crate::traits::{Along, ArrangementTraits};
 use dcel::HalfedgeId;
@@ -156,7 +156,7 @@ fn first_on_ray<G: Model, T: Topology<G>>(
                 (None, VerticalRay::Down) => quotient(-1, 16),
             };
             let beside = arrangement.traits().home(Point2::from_rationals(&[x, y + step]));
-            locate_all(arrangement, &[beside])[0]
+            locate_by_sweep(arrangement, &[beside])[0]
         }
     }
 }
@@ -191,7 +191,7 @@ fn agree<G: Model, T: Topology<G>>(
     landmarks: &Landmarks,
     context: &str,
 ) {
-    let cells = locate_all(arrangement, queries);
+    let cells = locate_by_sweep(arrangement, queries);
     for (p, cell) in queries.iter().zip(cells) {
         assert_eq!(landmarks.locate(arrangement, p), Ok(cell), "{context}, {p}");
         for ray in VerticalRay::BOTH {
