@@ -26,7 +26,7 @@ struct Location : Edits<Model> {
   static int files(const std::string& operation) {
     for (const char* one : {"make-landmarks", "make-trapezoids", "decompose"})
       if (operation == one) return 1;
-    for (const char* two : {"naive", "walk", "landmarks", "trapezoids", "ray"})
+    for (const char* two : {"naive", "walk", "landmarks", "trapezoids", "trapezoids-together", "ray"})
       if (operation == two) return 2;
     return Base::files(operation);
   }
@@ -39,7 +39,8 @@ struct Location : Edits<Model> {
     else if (operation == "naive") ask<Naive>(inputs.at(0), inputs.at(1), locate);
     else if (operation == "walk") ask<Walk>(inputs.at(0), inputs.at(1), locate);
     else if (operation == "landmarks") ask<Landmarks>(inputs.at(0), inputs.at(1), locate);
-    else if (operation == "trapezoids") ask<Trapezoids>(inputs.at(0), inputs.at(1), locate);
+    // It has no other way for points that are handed over together.
+    else if (operation == "trapezoids" || operation == "trapezoids-together") ask<Trapezoids>(inputs.at(0), inputs.at(1), locate);
     else if (operation == "ray") ask<Trapezoids>(inputs.at(0), inputs.at(1), shoot);
     else if (operation == "decompose") decompose(inputs.at(0));
     else Base::perform(operation, inputs);

@@ -57,12 +57,7 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
     pub(super) fn add_edge<T: Topology<G>>(&mut self, arrangement: &Arrangement<G, T>, e: EdgeId) {
         let curve = arrangement.support(e).0;
         let ends = [e.halfedge(), e.halfedge().twin()].map(|h| self.site_of_start(arrangement, h));
-        let place = self.place(arrangement, ends[0]);
-        let toward = Toward::Right(arrangement.curve_of(e), super::Side::Above);
-        let (found, _) = self.search(arrangement, &place, &toward);
-        let Found::Within(first) = found else {
-            unreachable!("only the place itself is looked for at a site")
-        };
+        let first = self.first_of(arrangement, ends[0], arrangement.curve_of(e));
         let new = self.insert_rail(arrangement, curve, ends, first);
         self.set_edge(new.rail, e);
     }

@@ -1,7 +1,7 @@
 //! Which trapezoid has a place in it.
 
 use super::structure::{Branch, Comparison, Node, OrderRange, Step};
-use super::{Side, SiteId, TrapezoidId, Trapezoids};
+use super::{RailId, Side, SiteId, TrapezoidId, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::{Site, Topology};
 use crate::traits::{Along, BasicTraits, CurveEnd};
@@ -252,12 +252,12 @@ impl<G: BasicTraits> Trapezoids<G> {
         }
     }
 
-    /// The trapezoid in which a curve leaves a site to the right; above, if it runs along an edge. Notes how long that took.
+    /// The trapezoid in which a curve leaves a site to the right; above, if it runs along an edge.
     ///
     /// # Complexity
-    /// Constant if at most one edge leaves the site to the right; else that of a search.
+    /// Constant if it is not between two edges that leave the site to the right; else that of a search.
     pub(crate) fn first_of<T: Topology<G>>(
-        &mut self,
+        &self,
         arrangement: &Arrangement<G, T>,
         site: SiteId,
         curve: &G::UMonotoneCurve,
@@ -268,9 +268,15 @@ impl<G: BasicTraits> Trapezoids<G> {
         }
         let place = self.place(arrangement, site);
         let (lowest, highest) = (self.trapezoid(below).above, self.trapezoid(above).below);
-        if lowest == highest {
-            let other = &arrangement.curves()[self.rail(lowest).curve as usize];
-            return if compare_right(arrangement, curve, other, &place).is_lt() { below } else { above };
+        let compare = |rail: RailId| {
+            let other = &arrangement.curves()[self.rail(rail).curve as usize];
+            compare_right(arrangement, curve, other, &place)
+        };
+        if compare(lowest).is_lt() {
+            return below;
+        }
+        if compare(highest).is_ge() {
+            return above;
         }
         match self.search(arrangement, &place, &Toward::Right(curve, Side::Above)) {
             (Found::Within(t), _) => t,

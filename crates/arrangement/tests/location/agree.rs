@@ -40,7 +40,11 @@ pub(crate) fn assert_agree<G: UMonotoneTraits + LandmarkTraits, T: Topology<G>>(
     }
     let cells: Vec<Cell> = expected.iter().map(|answer| answer[0]).collect();
     for (name, strategy) in strategies {
-        assert_eq!(strategy.locate_all(arrangement, points).as_ref(), Ok(&cells), "{name} together, {context}");
+        assert_eq!(
+            strategy.locate_all(arrangement, points).as_ref(),
+            Ok(&cells),
+            "{name} together, {context}"
+        );
     }
     assert_eq!(locate_all(arrangement, points), cells, "as their numbers say, {context}");
     for ((point, [expected, ..]), found) in

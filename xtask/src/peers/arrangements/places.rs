@@ -55,7 +55,7 @@ pub(super) fn prepare(curves: &Curves, strategy: Strategy) -> Result<Found, Fail
     Ok(found(&(arrangement, seconds)))
 }
 
-/// One point after the other, by a strategy that is made ready before the clock starts.
+/// One point after the other, or all together, by a strategy that is made ready before the clock starts.
 ///
 /// # Errors
 /// If the library refuses the curves.
@@ -79,11 +79,14 @@ fn answers<G: UMonotoneTraits<Point = Point2>>(
     points: &[Point2],
     question: Question,
 ) -> Vec<Cell> {
-    let answer = |point| match question {
-        Question::Cell => ready.locate(arrangement, point),
-        Question::Above => ready.shoot(arrangement, point, VerticalRay::Up),
+    let cells = match question {
+        Question::Cell => points.iter().map(|point| ready.locate(arrangement, point)).collect(),
+        Question::Cells => ready.locate_all(arrangement, points),
+        Question::Above => {
+            points.iter().map(|point| ready.shoot(arrangement, point, VerticalRay::Up)).collect()
+        }
     };
-    points.iter().map(|point| answer(point).expect("the arrangement stays as it is")).collect()
+    cells.expect("the arrangement stays as it is")
 }
 
 /// The vertical decomposition of an arrangement that is made before the clock starts. Located are what is straight below and above each

@@ -62,6 +62,8 @@ pub(crate) enum Strategy {
 pub(crate) enum Question {
     /// Where it lies.
     Cell,
+    /// Where it lies, and where others do that are handed over together.
+    Cells,
     /// What a ray up meets first.
     Above,
 }
@@ -105,7 +107,7 @@ pub(super) struct Operand {
 }
 
 /// All operations, in the words of the drivers.
-const WORDS: [(&str, Operation); 18] = [
+const WORDS: [(&str, Operation); 19] = [
     ("build", Operation::Build),
     ("insert", Operation::Insert),
     ("remove", Operation::Remove),
@@ -122,6 +124,7 @@ const WORDS: [(&str, Operation); 18] = [
     ("walk", Operation::Ask(Strategy::Walk, Question::Cell)),
     ("landmarks", Operation::Ask(Strategy::Landmarks, Question::Cell)),
     ("trapezoids", Operation::Ask(Strategy::Trapezoids, Question::Cell)),
+    ("trapezoids-together", Operation::Ask(Strategy::Trapezoids, Question::Cells)),
     ("ray", Operation::Ask(Strategy::Trapezoids, Question::Above)),
     ("decompose", Operation::Decompose),
 ];
