@@ -14,6 +14,12 @@ const SMALL: usize = 2_000;
 const GROWTH: f64 = 1.3;
 /// And be so many at most.
 const MOST: f64 = 3.0;
+/// Steps that ask no predicate (numbers that order points) are not among these. So the longest path of a search structure may have so many
+/// comparisons for each binary logarithm of the number of cells. It does not depend on the load either.
+const PATH: f64 = 12.0;
+/// And the time of a query may grow at most as this power of the number of cells, from the second size to the last: a linear walk would be far
+/// above it. That leaves room for memory: in a larger arrangement, fewer of the cells are in a cache.
+const POWER: f64 = 0.5;
 
 /// Prints the table, and checks both bounds.
 ///
@@ -29,13 +35,14 @@ pub(super) fn run() -> Result<(), Failure> {
         "location", "input", "cells", "prepare", "query", "doubling", "per query", "and doubling"
     );
     let mut series = BOUNDED.map(|strategy| (strategy, Vec::new()));
+    let mut broken_ones = Vec::new();
     for (bits, count) in SIZES {
         let mut strategies = BOUNDED.to_vec();
         if count <= SMALL {
             strategies.extend([Strategy::Walk, Strategy::Naive]);
         }
         let (cells, found) = searches(Family::Short(bits), count, &strategies)?;
-        for Search { strategy, prepare, query, calls } in found {
+        for Search { strategy, prepare, query, calls, path } in found {
             let doublings = (cells as f64).log2();
             let (name, nanoseconds) = (format!("{strategy:?}").to_lowercase(), 1e9 * query);
             println!(
@@ -44,26 +51,48 @@ pub(super) fn run() -> Result<(), Failure> {
                 nanoseconds / doublings,
                 calls / doublings
             );
-            if let Some((_, per_doubling)) = series.iter_mut().find(|(bounded, _)| *bounded == strategy) {
-                per_doubling.push(calls / doublings);
+            if let Some((_, sizes)) = series.iter_mut().find(|(bounded, _)| *bounded == strategy) {
+                sizes.push(Size { cells: cells as f64, calls: calls / doublings, nanoseconds });
+            }
+            if let Some(path) = path {
+                println!("{:<12} {path:>10} comparisons on its longest path", "");
+                if f64::from(path) > PATH * doublings {
+                    broken_ones.push(format!("a path of {path} comparisons among {cells} cells"));
+                }
             }
         }
     }
-    let broken: Vec<String> = series.iter().flat_map(|(strategy, calls)| broken(*strategy, calls)).collect();
-    if broken.is_empty() { Ok(()) } else { Err(broken.join("; ").into()) }
+    broken_ones.extend(series.iter().flat_map(|(strategy, sizes)| broken(*strategy, sizes)));
+    if broken_ones.is_empty() { Ok(()) } else { Err(broken_ones.join("; ").into()) }
 }
 
-/// What is wrong with the predicates per query and doubling of growing arrangements.
-fn broken(strategy: Strategy, calls: &[f64]) -> Vec<String> {
+/// What a query costs in an arrangement.
+#[derive(Debug, Clone, Copy)]
+struct Size {
+    cells: f64,
+    /// Predicates per query and doubling.
+    calls: f64,
+    nanoseconds: f64,
+}
+
+/// What is wrong with queries in growing arrangements.
+fn broken(strategy: Strategy, sizes: &[Size]) -> Vec<String> {
     let mut broken = Vec::new();
-    if let (Some(base), Some(last)) = (calls.get(1), calls.last())
-        && *last > GROWTH * base
-    {
-        broken.push(format!(
-            "{strategy:?}: predicates per query and doubling grew from {base:.3} to {last:.3}"
-        ));
+    if let (Some(base), Some(last)) = (sizes.get(1), sizes.last()) {
+        if last.calls > GROWTH * base.calls {
+            broken.push(format!(
+                "{strategy:?}: predicates per query and doubling grew from {:.3} to {:.3}",
+                base.calls, last.calls
+            ));
+        }
+        if last.nanoseconds > base.nanoseconds * (last.cells / base.cells).powf(POWER) {
+            broken.push(format!(
+                "{strategy:?}: nanoseconds per query grew from {:.0} to {:.0}",
+                base.nanoseconds, last.nanoseconds
+            ));
+        }
     }
-    if let Some(most) = calls.iter().copied().find(|&calls| calls > MOST) {
+    if let Some(most) = sizes.iter().map(|size| size.calls).find(|&calls| calls > MOST) {
         broken.push(format!("{strategy:?}: {most:.3} predicates per query and doubling, {MOST} are allowed"));
     }
     broken
@@ -75,7 +104,14 @@ mod tests {
 
     #[test]
     fn growth_is_found() {
-        let broken = |calls: &[f64]| broken(Strategy::Landmarks, calls);
+        let of = |calls: &[f64], times: &[f64]| {
+            let sizes = calls.iter().zip(times).zip([1e3, 1e4, 1e5, 1e6]);
+            let sizes = sizes.map(|((&calls, &nanoseconds), cells)| Size { cells, calls, nanoseconds });
+            broken(Strategy::Landmarks, &sizes.collect::<Vec<_>>())
+        };
+        let broken = |calls: &[f64]| of(calls, &[100.0, 200.0, 400.0, 800.0]);
+        let slow = ["Landmarks: nanoseconds per query grew from 200 to 3000"];
+        assert_eq!(of(&[1.0; 4], &[100.0, 200.0, 1000.0, 3000.0]), slow);
         assert_eq!(broken(&[3.0, 2.0, 3.0, 2.6]), [""; 0]);
         let grown = ["Landmarks: predicates per query and doubling grew from 2.000 to 2.700"];
         assert_eq!(broken(&[3.0, 2.0, 2.0, 2.7]), grown);

@@ -68,8 +68,8 @@ use std::ops::Deref;
 /// has fewer move.
 ///
 /// To find a place takes expected O(log n) steps if curves came in random order, as they do after [`Editor::new`]. After an adverse
-/// order of edits it is O(sqrt(n) log n) for those that edit, amortized: when their searches were too long, all is built anew. Searches that only
-/// read cannot do that; [`Editor::compact`] does.
+/// order of edits it is O(sqrt(n) log n) for those that edit, amortized: when searches were too long, the next edit builds all anew. Searches that
+/// only read count as well, but cannot do that; [`Editor::compact`] does.
 ///
 /// # Examples
 /// ```

@@ -7,7 +7,8 @@ use crate::edit::{Done, EditOf, Observer, Operation, Stale, Stamp};
 use crate::overlay::Cell;
 use crate::topology::{Site, Topology};
 use crate::traits::{Along, Location, UMonotoneTraits};
-use crate::trapezoids::{Follower, Found, Side, Toward, TrapezoidId, Trapezoids};
+use crate::trapezoids::{Follower, Found, Side, SiteId, Toward, TrapezoidId, Trapezoids};
+use dcel::EdgeId;
 
 /// The trapezoidal map of an arrangement, with a search structure.
 ///
@@ -17,7 +18,8 @@ use crate::trapezoids::{Follower, Found, Side, Toward, TrapezoidId, Trapezoids};
 /// An [`Editor`](crate::Editor) has one already: ask [`Editor::locate`](crate::Editor::locate).
 ///
 /// # Complexity
-/// Built in expected O(n log n), for n cells; a query takes expected O(log n) predicates. Linear space.
+/// Built in expected O(n log n), for n cells; a query takes expected O(log n) predicates. To name the face of a point on identified sides may take a
+/// step for each vertex there from which no edge goes to the right. Linear space.
 ///
 /// # Examples
 /// ```
@@ -57,6 +59,12 @@ impl<G: UMonotoneTraits> TrapezoidalMap<G> {
     /// Expected O(n log n).
     pub fn new<T: Topology<G>>(arrangement: &Arrangement<G, T>) -> Self {
         Self { trapezoids: Trapezoids::of(arrangement), stamp: arrangement.stamp() }
+    }
+
+    /// The number of comparisons on the longest path of the search structure, as it was built. It is at most 12 times the binary logarithm of the number of
+    /// trapezoids, and a little more, unless three orders of the edges all gave a longer one.
+    pub fn longest_path(&self) -> u32 {
+        self.trapezoids.longest_path()
     }
 }
 
@@ -99,15 +107,10 @@ fn shoot<G: UMonotoneTraits, T: Topology<G>>(
     let t = match cell {
         Cell::Edge(e) if arrangement.traits().is_vertical(arrangement.curve_of(e)) => return cell,
         Cell::Vertex(v) => {
-            if let Some(e) = column.along(v, ray) {
-                return Cell::Edge(e);
-            }
-            let site =
-                trapezoids.site_at(v, column.place.location).expect("a vertex has a site where its point is");
-            // What is straight above is behind the wall, in the order of places; what is straight below, before it.
-            match ray {
-                VerticalRay::Up => trapezoids.right_of(site)[1],
-                VerticalRay::Down => trapezoids.left_of(site)[0],
+            let site = trapezoids.site_at(v, column.place.location);
+            match leave(arrangement, trapezoids, site.expect("a vertex has a site where its point is"), ray) {
+                Ok(t) => t,
+                Err(e) => return Cell::Edge(e),
             }
         }
         _ => beside(arrangement, trapezoids, &column.place, side),
@@ -124,9 +127,34 @@ fn shoot<G: UMonotoneTraits, T: Topology<G>>(
         Found::Within(t) => t,
         Found::Site(site) if ray == VerticalRay::Up => return Cell::Vertex(trapezoids.vertex(site)),
         // The ray began there: on the bottom, as which the vertex would have been met before.
-        Found::Site(site) => trapezoids.left_of(site)[0],
+        Found::Site(site) => match leave(arrangement, trapezoids, site, ray) {
+            Ok(t) => t,
+            Err(e) => return Cell::Edge(e),
+        },
     };
     end_of(arrangement, trapezoids, &column, t, side).unwrap_or(cell)
+}
+
+/// The trapezoid into which a vertical ray leaves a site, or the vertical edge along which it does.
+fn leave<G: UMonotoneTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    trapezoids: &Trapezoids<G>,
+    site: SiteId,
+    ray: VerticalRay,
+) -> Result<TrapezoidId, EdgeId> {
+    // What is straight above is behind the wall, in the order of places; what is straight below, before it. A vertical edge is the last one
+    // before the wall.
+    let (t, beside, end) = match ray {
+        VerticalRay::Up => (trapezoids.right_of(site)[1], Side::Below, 0),
+        VerticalRay::Down => (trapezoids.left_of(site)[0], Side::Above, 1),
+    };
+    let rail = trapezoids.trapezoid(t).rail(beside);
+    if rail.is_none() || trapezoids.rail(rail).ends[end] != site {
+        return Ok(t);
+    }
+    let rail = trapezoids.rail(rail);
+    let is_vertical = arrangement.traits().is_vertical(&arrangement.curves()[rail.curve as usize]);
+    if is_vertical { Err(rail.edge) } else { Ok(t) }
 }
 
 /// The trapezoid straight above or below a place.

@@ -27,7 +27,8 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
         let mut best: Option<(u32, Self)> = None;
         for seed in SEEDS {
             let mut trapezoids = Self::in_order(arrangement, seed);
-            let longest = trapezoids.tidy();
+            trapezoids.tidy();
+            let longest = trapezoids.longest_path();
             if longest <= longest_path(trapezoids.count()) {
                 return trapezoids;
             }

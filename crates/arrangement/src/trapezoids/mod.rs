@@ -22,10 +22,11 @@
 //! a side. So walls begin at *sites*. What a trapezoid has below and above are *rails*: a rail is an edge under a number that the
 //! longer part keeps when the edge is split.
 //!
-//! The search structure is the history of the decomposition: a leaf that is no more has become a comparison with a site or a curve.
-//! With edges in random order, its depth is expected to be logarithmic. Each search of an edit counts its steps; when those beyond the
-//! logarithm add up to the cost of building all anew, that is done. So an adverse order of edits costs no more than O(sqrt(n) log n) for
-//! each of these searches, amortized. Searches that only read do not count.
+//! The search structure is the history of the decomposition: a trapezoid that is no more has become a comparison with a site or a curve.
+//! With edges in random order, its depth is expected to be logarithmic; an order that gives a longer path than that is not taken. Each
+//! search counts its steps; when those beyond the logarithm add up to the cost of building all anew, the next edit does that. So an
+//! adverse order of edits costs no more than O(sqrt(n) log n) for each of these searches, amortized. Searches that only read count as
+//! well, but build nothing.
 //!
 //! # References
 //! Thesis, section 2.4.5 and 2.4.4 (zone); de Berg, Cheong, van Kreveld and Overmars, Computational Geometry, chapter 6.

@@ -139,15 +139,19 @@ impl<G: BasicTraits> Trapezoids<G> {
         while places.peek().is_some() {
             group.clear();
             group.extend(places.by_ref().take(AT_ONCE).map(|search| (search, Err(self.structure.root()))));
-            let mut open = group.len();
+            let (mut open, mut steps) = (group.len(), 0);
             while open > 0 {
                 // All nodes are asked for before one is looked at.
+                steps += 1;
                 let mut nodes = [None; AT_ONCE];
                 for (node, (_, at)) in nodes.iter_mut().zip(&mut group) {
                     let Err(branch) = *at else { continue };
                     match self.structure.at(branch, &self.trapezoids) {
                         Step::Node(next) => *node = Some(*next),
-                        Step::End(t) => (*at, open) = (Ok(Found::Within(t)), open - 1),
+                        Step::End(t) => {
+                            (*at, open) = (Ok(Found::Within(t)), open - 1);
+                            self.structure.note_steps(steps, self.count());
+                        }
                     }
                 }
                 for (node, (search, at)) in nodes.iter().zip(&mut group) {
@@ -294,9 +298,14 @@ impl<G: BasicTraits> Trapezoids<G> {
         self.structure.is_worn(self.count())
     }
 
-    /// Puts the search structure in order; gives the length of its longest path.
-    pub(super) fn tidy(&mut self) -> u32 {
-        let (longest, order) = self.structure.tidy(&self.trapezoids);
+    /// The length of the longest path of the search structure, as it was built.
+    pub(crate) fn longest_path(&self) -> u32 {
+        self.structure.longest_path()
+    }
+
+    /// Puts the search structure in order.
+    pub(super) fn tidy(&mut self) {
+        let order = self.structure.tidy(&self.trapezoids);
         let mut numbers = vec![TrapezoidId::NONE; self.trapezoids.len()];
         for (new, &old) in order.iter().enumerate() {
             numbers[old.index()] = TrapezoidId::new(new);
@@ -309,6 +318,5 @@ impl<G: BasicTraits> Trapezoids<G> {
             rail.first.iter_mut().for_each(renumber);
         }
         self.trapezoids = order.into_iter().map(|old| self.trapezoids[old.index()]).collect();
-        longest
     }
 }

@@ -136,6 +136,8 @@ pub(super) struct Structure {
     root: Branch,
     /// How many nodes it had when it was built.
     built: usize,
+    /// The length of its longest path then.
+    longest: u32,
     /// Steps of searches beyond the logarithm since it was built. Searches that only read count as well.
     excess: AtomicU64,
 }
@@ -149,13 +151,18 @@ impl Clone for Structure {
 impl Structure {
     /// One trapezoid, and no comparison.
     pub(super) fn new(t: TrapezoidId) -> Self {
-        Self { nodes: Vec::new(), root: Branch::leaf(t), built: 0, excess: 0.into() }
+        Self { nodes: Vec::new(), root: Branch::leaf(t), built: 0, longest: 0, excess: 0.into() }
     }
 
     /// Where all paths begin.
     #[inline]
     pub(super) fn root(&self) -> Branch {
         self.root
+    }
+
+    /// The length of the longest path when it was built.
+    pub(super) fn longest_path(&self) -> u32 {
+        self.longest
     }
 
     /// What is found at a branch: the node, or the trapezoid.
@@ -203,8 +210,8 @@ impl Structure {
         self.excess.load(Relaxed) > 64 + 8 * size || nodes > 64 + (8 * size).max(self.built as u64)
     }
 
-    /// Puts nodes in an order in which a path finds those that come next near, and leaves out trapezoids that are no more. Gives the length
-    /// of the longest path. Trapezoids are numbered anew as well: the answer has their old numbers in the new order.
+    /// Puts nodes in an order in which a path finds those that come next near, and leaves out trapezoids that are no more.
+    /// These are numbered anew as well: the answer has their old numbers in the new order. To be done once, when all is built.
     ///
     /// Nodes from which there are about as many paths to trapezoids are together, and the others behind, in groups of which each is below
     /// one of them, and in order itself: so a path is in few places of memory, however large the places are that are read at once.
@@ -214,7 +221,8 @@ impl Structure {
     ///
     /// # References
     /// Prokop, Cache-oblivious algorithms, 1999, section 10.2: the layout of van Emde Boas, for trees.
-    pub(super) fn tidy(&mut self, trapezoids: &[Trapezoid]) -> (u32, Vec<TrapezoidId>) {
+    pub(super) fn tidy(&mut self, trapezoids: &[Trapezoid]) -> Vec<TrapezoidId> {
+        debug_assert!(self.built == 0, "the order of nodes is that in which they came");
         let weights = self.weights(trapezoids);
         let weight = |branch: Branch| branch.place().err().map_or((0, 1), |node| weights[node]);
         let mut nodes: Vec<Node> = Vec::with_capacity(self.nodes.len());
@@ -274,7 +282,8 @@ impl Structure {
         self.built = nodes.len();
         (self.nodes, self.root) = (nodes, root);
         self.excess = 0.into();
-        (weight(old_root).0, leaves)
+        self.longest = weight(old_root).0;
+        leaves
     }
 
     /// For each node the length of the longest path from there, and the number of all paths.

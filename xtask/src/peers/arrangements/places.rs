@@ -27,6 +27,8 @@ pub(crate) struct Search {
     pub(crate) query: f64,
     /// Predicates that are asked of the traits for a point.
     pub(crate) calls: f64,
+    /// Comparisons on the longest path of a search structure.
+    pub(crate) path: Option<u32>,
 }
 
 /// A strategy that is ready.
@@ -153,7 +155,9 @@ pub(crate) fn searches(
         }
         let per_point = |amount: f64| amount / points.len() as f64;
         let (query, calls) = (per_point(seconds), per_point(calls as f64));
-        searches.push(Search { strategy, prepare, query, calls });
+        let path =
+            (strategy == Strategy::Trapezoids).then(|| TrapezoidalMap::new(&arrangement).longest_path());
+        searches.push(Search { strategy, prepare, query, calls, path });
     }
     let counts = arrangement.counts_with_splits();
     Ok((counts.vertices + counts.edges + counts.faces, searches))
