@@ -58,6 +58,12 @@ impl<G: UMonotoneTraits> TrapezoidalMap<G> {
     pub fn new<T: Topology<G>>(arrangement: &Arrangement<G, T>) -> Self {
         Self { trapezoids: Trapezoids::of(arrangement), stamp: arrangement.stamp() }
     }
+
+    /// Tells whether it should be built anew.
+    #[cfg(test)]
+    pub(super) fn is_worn(&self) -> bool {
+        self.trapezoids.is_worn()
+    }
 }
 
 impl<G: UMonotoneTraits, T: Topology<G>> PointLocation<G, T> for TrapezoidalMap<G> {
