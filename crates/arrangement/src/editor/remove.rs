@@ -66,6 +66,9 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Removes several edges, as those of a curve that [`Editor::insert_curve`] gave, and vertices that are of no use without them. Gives
     /// the edges that became one, in the order in which they did.
     ///
+    /// A list of edges is good until the next edit: a curve that comes later cuts edges, and ids are used again.
+    /// [`ArrangementWithHistory`](crate::history::ArrangementWithHistory) keeps such lists.
+    ///
     /// What becomes of the vertices at which a removed edge ended; all other ones stay as they are:
     ///
     /// - One that is left without edges goes, but one that stands for a side stays.

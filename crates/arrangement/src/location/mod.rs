@@ -19,6 +19,8 @@ mod batch;
 mod landmarks;
 mod naive;
 mod over;
+#[cfg(test)]
+mod tests;
 mod trapezoidal;
 mod walk;
 

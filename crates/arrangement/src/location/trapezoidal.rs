@@ -50,6 +50,8 @@ use dcel::EdgeId;
 pub struct TrapezoidalMap<G: UMonotoneTraits> {
     trapezoids: Trapezoids<G>,
     stamp: Stamp,
+    /// Whether it was up to date before the edit that is being made.
+    follows: bool,
 }
 
 impl<G: UMonotoneTraits> TrapezoidalMap<G> {
@@ -58,13 +60,19 @@ impl<G: UMonotoneTraits> TrapezoidalMap<G> {
     /// # Complexity
     /// Expected O(n log n).
     pub fn new<T: Topology<G>>(arrangement: &Arrangement<G, T>) -> Self {
-        Self { trapezoids: Trapezoids::of(arrangement), stamp: arrangement.stamp() }
+        Self { trapezoids: Trapezoids::of(arrangement), stamp: arrangement.stamp(), follows: true }
     }
 
     /// The number of comparisons on the longest path of the search structure, as it was built. It is at most 12 times the binary logarithm of the number of
     /// trapezoids, and a little more, unless three orders of the edges all gave a longer one.
     pub fn longest_path(&self) -> u32 {
         self.trapezoids.longest_path()
+    }
+
+    /// Tells whether it should be built anew.
+    #[cfg(test)]
+    pub(super) fn is_worn(&self) -> bool {
+        self.trapezoids.is_worn()
     }
 }
 
@@ -193,18 +201,25 @@ fn end_of<G: UMonotoneTraits, T: Topology<G>>(
     (!rail.is_none()).then(|| Cell::Edge(trapezoids.rail(rail).edge))
 }
 
+/// A map that has missed edits, because it was put in place of another observer later, does not follow: it stays stale, and is made anew
+/// at the end of the next operation.
 impl<G: UMonotoneTraits, T: Topology<G>> Observer<G, T> for TrapezoidalMap<G> {
     fn before(&mut self, arrangement: &Arrangement<G, T>, edit: &EditOf<G>) {
-        Follower(&mut self.trapezoids).before(arrangement, edit);
+        self.follows = self.stamp == arrangement.stamp();
+        if self.follows {
+            Follower(&mut self.trapezoids).before(arrangement, edit);
+        }
     }
 
     fn after(&mut self, arrangement: &Arrangement<G, T>, edit: &EditOf<G>, done: &Done) {
-        Follower(&mut self.trapezoids).after(arrangement, edit, done);
-        self.stamp = arrangement.stamp();
+        if self.follows {
+            Follower(&mut self.trapezoids).after(arrangement, edit, done);
+            self.stamp = arrangement.stamp();
+        }
     }
 
     fn end_operation(&mut self, arrangement: &Arrangement<G, T>, _: Operation) {
-        if self.trapezoids.is_worn() {
+        if self.stamp != arrangement.stamp() || self.trapezoids.is_worn() {
             *self = Self::new(arrangement);
         }
     }

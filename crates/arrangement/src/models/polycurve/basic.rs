@@ -16,6 +16,11 @@ impl<S: PieceTraits> BasicTraits for PolycurveTraits<S> {
     }
 
     #[inline]
+    fn order_range(&self, p: &Self::Point) -> (u64, u32) {
+        self.pieces.order_range(p)
+    }
+
+    #[inline]
     fn is_canonical(&self, p: &Self::Point) -> bool {
         self.pieces.is_canonical(p)
     }

@@ -32,13 +32,14 @@ impl<F: Drawn> World<F> {
             let place = strokes.and_then(|strokes| Some(draw.choose(&strokes)?.at(&half)));
             points.extend(place.map(|place| self.family.at(&place)));
         }
-        for (point, cell) in points.iter().zip(locate_by_sweep(arrangement, &points)) {
+        let cells = locate_by_sweep(arrangement, &points);
+        for (point, &cell) in points.iter().zip(&cells) {
             assert_eq!(self.editor.locate(point), cell, "at {point}, against one sweep");
             if let Some(expected) = scan.locate(point) {
                 assert_eq!(cell, expected, "at {point}, one sweep against a scan");
             }
         }
-        self.check_rays(&points);
+        self.check_rays(&points, &cells);
     }
 
     /// A place in the interior of an edge.
