@@ -16,7 +16,8 @@
 //! a side. So walls begin at *sites*. They end at the sides of the parameter space at the latest, also where these are identified.
 //!
 //! The decomposition is a snapshot, without a search structure: it knows the state of the arrangement for which it was made. One that can be
-//! searched, and follows edits, is [`TrapezoidalMap`](crate::location::TrapezoidalMap).
+//! searched, and follows edits, is [`TrapezoidalMap`](crate::location::TrapezoidalMap). An arrangement from which cells were removed has
+//! holes in its ids: to the decomposition, the id of a cell that was not there then is no edge and no vertex.
 //!
 //! # Examples
 //! A triangle under a segment:
@@ -149,7 +150,8 @@ impl VerticalDecomposition {
         (0..self.sites.len() as u32).map(SiteId)
     }
 
-    /// The sites of a vertex, as a sweep meets them. One that stands for a side has a site for each end of an edge there.
+    /// The sites of a vertex, as a sweep meets them. One that stands for a side has a site for each end of an edge there. There are none if
+    /// there is no such vertex.
     pub fn sites_of(&self, v: VertexId) -> impl Iterator<Item = SiteId> + '_ {
         let first = self.first_site.get(v.index()).copied();
         let some = |site: u32| (site != NONE).then_some(SiteId(site));
@@ -195,24 +197,19 @@ impl VerticalDecomposition {
 
     /// The trapezoids above an edge, from left to right: their numbers, which are consecutive. With `None`, those that have no edge below.
     ///
-    /// The left site of each is the right one of the one before.
-    ///
-    /// # Panics
-    /// If the arrangement never had the edge.
+    /// The left site of each is the right one of the one before. There is at least one, and none if there is no such edge.
     #[inline]
     pub fn above(&self, e: Option<EdgeId>) -> Range<u32> {
-        let key = records::key(e.map_or(NONE, |e| e.0));
-        self.first_above[key]..self.first_above[key + 1]
+        order::row(&self.first_above, e)
     }
 
     /// The trapezoids below an edge, from left to right. With `None`, those that have no edge above.
     ///
-    /// # Panics
-    /// If the arrangement never had the edge.
+    /// There is at least one, and none if there is no such edge.
     #[inline]
     pub fn below(&self, e: Option<EdgeId>) -> &[TrapezoidId] {
-        let key = records::key(e.map_or(NONE, |e| e.0));
-        &self.below[self.first_below[key] as usize..self.first_below[key + 1] as usize]
+        let row = order::row(&self.first_below, e);
+        &self.below[row.start as usize..row.end as usize]
     }
 
     /// Tells whether there is nothing in a trapezoid, because
@@ -252,6 +249,7 @@ impl VerticalDecomposition {
     #[inline]
     pub fn ends(&self, e: EdgeId) -> [SiteId; 2] {
         let above = self.above(Some(e));
+        assert!(!above.is_empty(), "edge {} does not exist: only an edge begins and ends at sites", e.0);
         let (first, last) = (above.start as usize, above.end as usize - 1);
         [SiteId(self.trapezoids[first].left), SiteId(self.trapezoids[last].right)]
     }

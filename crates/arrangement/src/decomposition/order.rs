@@ -1,6 +1,8 @@
 //! Trapezoids numbered along edges.
 
 use super::records::{TrapezoidRecord, key};
+use dcel::EdgeId;
+use std::ops::Range;
 
 /// Puts numbers into groups by a key, within a group in the order given: for each key the place of its first one, and one more.
 pub(super) fn firsts(keys: impl Iterator<Item = u32>, edge_bound: usize) -> Vec<u32> {
@@ -13,6 +15,17 @@ pub(super) fn firsts(keys: impl Iterator<Item = u32>, edge_bound: usize) -> Vec<
         sum += std::mem::replace(first, sum);
     }
     firsts
+}
+
+/// The places of the group of an edge, or of none; empty for an edge that is not there.
+#[inline]
+pub(super) fn row(firsts: &[u32], e: Option<EdgeId>) -> Range<u32> {
+    // The greatest id is not to be taken for none.
+    let key = e.map_or(0, |e| e.index().saturating_add(1));
+    match firsts.get(key..) {
+        Some(&[first, end, ..]) => first..end,
+        _ => 0..0,
+    }
 }
 
 /// Undoes that each first place was moved to behind the last.

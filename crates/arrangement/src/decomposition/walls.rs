@@ -41,6 +41,27 @@ impl VerticalDecomposition {
     ///
     /// # Complexity
     /// Constant.
+    ///
+    /// # Examples
+    /// A vertical segment, and a point above it:
+    ///
+    /// ```
+    /// use exact::planar::Point2;
+    /// use splitstar_arrangement::decomposition::{VerticalDecomposition, WallEnd};
+    /// use splitstar_arrangement::models::{Segment, SegmentTraits};
+    /// use splitstar_arrangement::{Arrangement, topology::BoundedPlane};
+    ///
+    /// let segment = Segment::from_i64([[1, 0], [1, 2]]).expect("the ends are different");
+    /// let mut arrangement = Arrangement::of_curves(SegmentTraits, BoundedPlane, [&segment]);
+    /// arrangement.insert_points([Point2::from_i64([1, 5])]);
+    /// let decomposition = VerticalDecomposition::new(&arrangement);
+    /// // Sites of one u come from bottom to top.
+    /// let sites: Vec<_> = decomposition.sites().collect();
+    /// let [end, point] = [sites[1], sites[2]].map(|site| WallEnd::Vertex(decomposition.vertex(site)));
+    /// assert_eq!(decomposition.walls(sites[0]), [WallEnd::Side, WallEnd::Nothing]);
+    /// assert_eq!(decomposition.walls(sites[1]), [WallEnd::Nothing, point]);
+    /// assert_eq!(decomposition.walls(sites[2]), [end, WallEnd::Side]);
+    /// ```
     pub fn walls(&self, site: SiteId) -> [WallEnd; 2] {
         [self.step_down(site), self.step_up(site)].map(|step| match step {
             Step::Site(site) => WallEnd::Vertex(self.vertex(site)),
@@ -50,8 +71,15 @@ impl VerticalDecomposition {
         })
     }
 
-    /// What is straight below and above a vertex; where it has several sites, below the first and above the last that is not on the
-    /// left or right side. `Nothing` for a vertex that has no such site.
+    /// What is straight below and above a vertex. Where it has several sites, each of the two is what [`walls`](Self::walls) gives for the
+    /// first site, as a sweep meets them, whose wall that way has a length; `Nothing` if there is none, or no such vertex.
+    ///
+    /// Degenerate:
+    /// - A vertex on identified bottom and top sides has its upper wall from its site on the bottom, and its lower one from its site on the
+    ///   top. It has this only if an edge ends there: else nothing is said to be below, as walls do not go on beyond a side. So a ray
+    ///   downwards, which does, may meet something where this is `Nothing` or a `Side`.
+    /// - A vertex on identified left and right sides has no walls.
+    /// - One that stands for a side has a site for each end of an edge there, each with its own walls: what is given is of one of them.
     ///
     /// # Complexity
     /// Linear in the number of sites of the vertex.

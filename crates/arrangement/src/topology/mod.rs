@@ -52,8 +52,10 @@ pub trait Topology<G: BasicTraits>: Clone + Debug + Send + Sync {
     /// then the right side, from bottom to top. Ends without points are placed by the curves near them, and are equal if these
     /// have a piece in common.
     ///
-    /// Law: where bottom and top are identified, a point of the interior may be said to be on the bottom, if the other one is there: then
-    /// the place on the bottom that has the same u is meant.
+    /// Law: between the left and the right side, a site may be said to be on the bottom or on the top although it is not. Then the place
+    /// there that has the same u is meant, and compared with the other site, wherever that is or is said to be:
+    /// 1. On every surface, a point or end of the bottom may be said to be on the top, and one of the top on the bottom.
+    /// 2. Where bottom and top are identified, a point of the interior may be said to be on either.
     fn compare_sites(&self, traits: &G, a: &Site<'_, G>, b: &Site<'_, G>) -> Ordering;
 
     /// Tells which vertex without a point stands for each side, left, right, bottom and top; `None` for a side whose points are

@@ -3,6 +3,7 @@
 #![allow(clippy::unwrap_used)]
 
 mod counts;
+mod holes;
 mod laws;
 #[path = "../surfaces/paths.rs"]
 #[allow(dead_code)]
@@ -11,6 +12,7 @@ mod paths;
 #[allow(dead_code)]
 mod strip;
 mod strips;
+mod walls;
 
 use splitstar_arrangement::Arrangement;
 use splitstar_arrangement::decomposition::{

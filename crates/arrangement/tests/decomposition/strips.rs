@@ -5,9 +5,9 @@ use crate::paths::{Curve, make};
 use splitstar_arrangement::traits::SideKind::{self, Closed, Contracted, Open};
 use testkit::Rng;
 
-const SIZE: [i64; 2] = [6, 4];
+pub(crate) const SIZE: [i64; 2] = [6, 4];
 
-const KINDS: [[SideKind; 2]; 6] = [
+pub(crate) const KINDS: [[SideKind; 2]; 6] = [
     [Open, Open],
     [Contracted, Contracted],
     [Closed, Closed],
@@ -16,7 +16,7 @@ const KINDS: [[SideKind; 2]; 6] = [
     [Open, Closed],
 ];
 
-fn random_curve(rng: &mut Rng, kinds: [SideKind; 2]) -> Curve {
+pub(crate) fn random_curve(rng: &mut Rng, kinds: [SideKind; 2]) -> Curve {
     let [width, height] = SIZE;
     let is_closed = |v: i64| match v {
         0 => kinds[0] == Closed,

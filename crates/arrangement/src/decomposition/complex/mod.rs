@@ -168,7 +168,7 @@ impl VerticalDecomposition {
     /// With 2^31 pieces or more.
     ///
     /// # Complexity
-    /// Linear.
+    /// O(n log n) for n trapezoids: the feet of walls along each edge are sorted, and found by bisection.
     pub fn complex<G: BasicTraits, T: Topology<G>>(
         &self,
         arrangement: &Arrangement<G, T>,
