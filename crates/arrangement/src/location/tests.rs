@@ -186,7 +186,8 @@ fn a_map_that_follows_points_in_their_order_is_built_anew() {
 #[test]
 fn a_map_that_follows_one_edge_to_and_fro_is_built_anew() {
     check_worn(|editor, i| {
-        if let Some(e) = editor.dcel().edges().next() {
+        let first = editor.dcel().edges().next();
+        if let Some(e) = first {
             editor.remove_edge(e);
         }
         editor.insert_curve(&segment([[0, i], [9, i + 1]]));
