@@ -109,9 +109,9 @@ fn check_groups<G: ArrangementTraits<Point = Point2> + Clone, T: Topology<G>>(
 #[test]
 fn groups_of_searches_on_the_plane() {
     let [with_all, _] = check_groups(150, random_segments, |_, point| point);
-    assert!(with_all > 150, "{with_all}");
+    assert!(with_all > 100, "{with_all}");
     let [with_all, _] = check_groups(150, random_lines, |_, point| point);
-    assert!(with_all > 150, "{with_all}");
+    assert!(with_all > 100, "{with_all}");
 }
 
 #[test]
@@ -186,8 +186,8 @@ fn a_map_that_follows_points_in_their_order_is_built_anew() {
 #[test]
 fn a_map_that_follows_one_edge_to_and_fro_is_built_anew() {
     check_worn(|editor, i| {
-        let first = editor.dcel().edges().next();
-        if let Some(e) = first {
+        let old = editor.dcel().edges().next();
+        if let Some(e) = old {
             editor.remove_edge(e);
         }
         editor.insert_curve(&segment([[0, i], [9, i + 1]]));
