@@ -11,6 +11,8 @@ fn is_away(l: &Line2, p: &Point2) -> bool {
 /// With coordinates below 2^20, |a x| + |b y| + |c| is at most 2^21 (|a| + |b|): the bound and the error are less than half of |a| + |b|.
 #[test]
 fn a_unit_decides_for_integers_of_twenty_bits() {
+    // No other test forces a tier meanwhile.
+    let _guard = force(Start::Usual);
     const MOST: i64 = (1 << 20) - 1;
     let mut random = Random::new(35);
     let mut is_decided = [0, 0];
@@ -55,6 +57,8 @@ fn a_point_on_the_line_is_never_decided() {
 
 #[test]
 fn coefficients_beyond_the_range_decide_nothing() {
+    // No other test forces a tier meanwhile.
+    let _guard = force(Start::Usual);
     let of = |a: &str, b: &str, c: &str| {
         Line2::from_coefficients(&rational(a), &rational(b), &rational(c)).expect("not all are zero")
     };
@@ -85,6 +89,8 @@ fn coefficients_beyond_the_range_decide_nothing() {
 /// What searches ask: short segments, and points anywhere and near them.
 #[test]
 fn short_segments_are_decided_nearly_always() {
+    // No other test forces a tier meanwhile.
+    let _guard = force(Start::Usual);
     let mut random = Random::new(37);
     for bits in [16, 20, 30, 40, 50] {
         let (size, length) = (1_i64 << bits, 1_i64 << (bits / 2));
