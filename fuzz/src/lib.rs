@@ -1,13 +1,18 @@
 //! What every fuzz target checks: of a reader, and of edits.
 
-// The tests have the same scripts, from random bytes.
+// The tests have the same scripts, from random bytes, and the same two modules beside them.
+#[path = "../../crates/arrangement/tests/common/family.rs"]
+#[allow(dead_code)]
+mod family;
 #[path = "../../crates/arrangement/tests/scripts/script/mod.rs"]
 #[allow(dead_code)]
 mod script;
+#[path = "../../crates/arrangement/tests/common/swept_again.rs"]
+mod swept_again;
 
 use exact::Rational;
 use splitstar_formats::{CurveFile, CurvePoint, Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
-use splitstar_formats::{StarArrangement, read_arrangement, write_arrangement};
+use splitstar_formats::{StarArrangement, read_arrangement, read_points, write_arrangement};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::LazyLock;
@@ -61,8 +66,9 @@ fn has_long_numbers(model: &Model) -> bool {
 }
 
 /// Reads bytes as a file of curves. A message must be one short line; curves must come back as they were, and the text of their
-/// arrangement must not depend on their order.
+/// arrangement must not depend on their order. What is a file of points too has the same points.
 pub fn check_curves(bytes: &[u8]) {
+    check_points(bytes);
     let file = match read_curves(bytes, None) {
         Ok(file) => file,
         Err(error) => {
@@ -77,6 +83,22 @@ pub fn check_curves(bytes: &[u8]) {
     }
     if file.curves.len() <= 12 && bytes.len() <= 500 && !file.curves.iter().any(is_long) {
         check_arrangement_of(file);
+    }
+}
+
+/// Reads bytes as a file of points, which may say more than a file of curves that are points, and must not say another thing.
+fn check_points(bytes: &[u8]) {
+    match read_points(bytes, None) {
+        Ok(file) => {
+            if let Ok(curves) = read_curves(bytes, None) {
+                let points: Vec<InputCurve> = file.points.into_iter().map(InputCurve::Point).collect();
+                assert_eq!(points, curves.curves);
+            }
+        }
+        Err(error) => {
+            let message = error.to_string();
+            assert!(message.len() < 600 && !message.contains(char::is_control), "{message:?}");
+        }
     }
 }
 

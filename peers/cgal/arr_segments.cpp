@@ -1,7 +1,7 @@
 // The peer of arrangements of segments: the caching traits class, exact kernel.
 #include <CGAL/Arr_segment_traits_2.h>
 
-#include "edits.h"
+#include "location.h"
 
 struct Segments {
   using Traits = CGAL::Arr_segment_traits_2<Epeck>;
@@ -10,4 +10,4 @@ struct Segments {
   }
 };
 
-int main(int count, char** values) { return run_driver<Edits<Segments>>("arr_segments", count, values); }
+int main(int count, char** values) { return run_driver<Location<Segments>>("arr_segments", count, values); }

@@ -17,7 +17,9 @@ use std::ops::ControlFlow;
 ///
 /// # Preconditions
 /// Where sides of the parameter space are identified, points have the coordinates by which the traits know them: on a torus, those
-/// that [`TorusSegmentTraits::point`] gives, at least zero and below the periods. With other ones the result is not valid.
+/// that [`TorusSegmentTraits::point`] gives, at least zero and below the periods. Curves are made by the traits of the arrangement, or
+/// by equal ones. With other ones the result is not valid; [`BasicTraits::is_canonical`] and [`BasicTraits::is_own_curve`] tell. Debug
+/// builds ask them on insertion, and panic.
 ///
 /// # Examples
 ///
@@ -275,11 +277,33 @@ impl<G: ArrangementTraits, T: Topology<G>> Arrangement<G, T> {
     }
 
     /// Inserts general curves, by one sweep over them and the edges that are there: see [`Arrangement::insert_pieces`].
+    ///
+    /// # Complexity
+    /// As of [`Arrangement::insert_pieces`].
     pub fn insert_curves<'a>(&mut self, curves: impl IntoIterator<Item = &'a G::Curve>) -> Provenance
     where
         G::Curve: 'a,
     {
-        let pieces = Pieces::of_curves(&self.traits, curves);
+        self.insert_curves_and_points(curves, [])
+    }
+
+    /// Inserts general curves and points, by one sweep over them and the edges that are there: see [`Arrangement::insert_pieces`].
+    ///
+    /// # Preconditions
+    /// Those of [`Pieces`] on points.
+    ///
+    /// # Complexity
+    /// As of [`Arrangement::insert_pieces`].
+    pub fn insert_curves_and_points<'a>(
+        &mut self,
+        curves: impl IntoIterator<Item = &'a G::Curve>,
+        points: impl IntoIterator<Item = G::Point>,
+    ) -> Provenance
+    where
+        G::Curve: 'a,
+    {
+        let mut pieces = Pieces::of_curves(&self.traits, curves);
+        pieces.points.extend(points);
         self.insert_pieces(pieces)
     }
 }

@@ -14,12 +14,15 @@
 //! | [`overlay`] | all cells of several arrangements cut by one another, with provenance |
 //! | [`Editor`] | an arrangement to which curves and points come and from which they go one by one; location |
 //! | [`edit`] | the primitive changes of an arrangement, and those who watch them: observers, stamps, undo |
+//! | [`location`] | in which cell a point lies, and what is straight above or below it: one trait, several strategies |
+//! | [`decomposition`] | the vertical decomposition: pseudo-trapezoids as a list and as a cell complex, and what is straight above and below each vertex |
 //! | [`zone`] | the cells that a curve meets, in their order |
 //! | [`history`] | arrangements that know which input runs along which edge, and from which inputs can be removed |
 //! | [`Arrangement`] | the cells: [`Arrangement::of_curves`], [`Arrangement::insert_curves`], [`Arrangement::counts`] |
 //! | [`Pieces`] | u-monotone curves and points, for [`Arrangement::of_pieces`]; with curves that are to be cut, [`Arrangement::of_curves_and_points`], [`Arrangement::insert_points`] |
 //! | [`Arrangement::user_view`], [`Arrangement::check_valid`], [`Arrangement::is_isomorphic`] | cells without artificial vertices; violations; comparison |
-//! | [`locate_all`], [`intersections`], [`subcurves`], [`do_any_meet`] | questions that one sweep answers |
+//! | [`locate_all`] | in which cells many points lie |
+//! | [`locate_by_sweep`], [`intersections`], [`subcurves`], [`do_any_meet`] | questions that one sweep answers |
 //!
 //! How a new family is written, `docs/write-your-own-curve.md` shows; why things are as they are, `docs/arrangement.md`.
 //!
@@ -143,10 +146,12 @@
 //! ```
 
 mod arrangement;
+pub mod decomposition;
 pub mod edit;
 mod editor;
 pub mod history;
 mod insert;
+pub mod location;
 pub mod models;
 pub mod overlay;
 mod queries;
@@ -164,4 +169,5 @@ pub use arrangement::{
 };
 pub use editor::{Editor, MergedEdges, Renumbering, SplitParts, VertexNeed, VertexNeeded};
 pub use insert::Pieces;
-pub use queries::{CommonEnds, do_any_meet, intersections, locate_all, subcurves};
+pub use location::locate_all;
+pub use queries::{CommonEnds, do_any_meet, intersections, locate_by_sweep, locate_by_sweep_with, subcurves};

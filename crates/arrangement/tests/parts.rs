@@ -73,7 +73,7 @@ fn change(raw: &mut RawDcel, parts: &mut Parts<LinearTraits>, numbers: &mut Numb
     let mut id = |bound: usize| numbers.below(bound + 2) as u32;
     let (h, v, f, c) = (id(halfedges), id(vertices), id(raw.face_count), id(raw.ccbs.len()));
     let points = parts.points.len() as u32;
-    match numbers.below(12) {
+    match numbers.below(13) {
         0 if halfedges > 0 => raw.halfedges[any].source = VertexId(v),
         1 if halfedges > 0 => raw.halfedges[any].next = HalfedgeId(h % halfedges as u32),
         2 if halfedges > 0 => raw.halfedges[any].ccb = CcbId(c),
@@ -92,6 +92,7 @@ fn change(raw: &mut RawDcel, parts: &mut Parts<LinearTraits>, numbers: &mut Numb
         8 if v < points => parts.points.swap(v as usize, any % points as usize),
         9 => parts.is_artificial[v as usize % vertices] ^= true,
         10 => drop(parts.points.pop()),
+        11 => parts.corner_face = FaceId(f),
         _ => drop(parts.supports.pop()),
     }
 }

@@ -1,8 +1,10 @@
 //! The command line, from words to values. Knows every verb and option; opens nothing.
 
+mod check;
 mod names;
 
-pub(crate) use names::{CellEncoding, CellFormat};
+use check::check;
+pub(crate) use names::{CellEncoding, CellFormat, Ray, Strategy};
 
 use crate::failure::Failure;
 use lexopt::Arg;
@@ -45,6 +47,10 @@ pub(crate) struct Run {
     pub(crate) period: Option<[Rational; 2]>,
     /// What an arrangement is written as, asked for by name.
     pub(crate) cells: Option<CellEncoding>,
+    /// How cells are found, asked for by name.
+    pub(crate) strategy: Option<Strategy>,
+    /// What is asked: what a ray meets, and not where a point lies.
+    pub(crate) ray: Option<Ray>,
 }
 
 /// A file, or a standard stream.
@@ -61,6 +67,7 @@ pub(crate) enum Verb {
     Info,
     Convert,
     Arrange,
+    Locate,
 }
 
 #[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
@@ -93,7 +100,8 @@ pub(crate) enum Rotation {
 }
 
 impl Verb {
-    pub(crate) const ALL: [Self; 5] = [Self::Sum, Self::Hull, Self::Info, Self::Convert, Self::Arrange];
+    pub(crate) const ALL: [Self; 6] =
+        [Self::Sum, Self::Hull, Self::Info, Self::Convert, Self::Arrange, Self::Locate];
 
     pub(crate) fn name(self) -> &'static str {
         match self {
@@ -102,6 +110,7 @@ impl Verb {
             Self::Info => "info",
             Self::Convert => "convert",
             Self::Arrange => "arrange",
+            Self::Locate => "locate",
         }
     }
 
@@ -127,6 +136,7 @@ impl Verb {
                 "quiet",
             ],
             Self::Arrange => &["output", "format", "surface", "period", "json", "quiet"],
+            Self::Locate => &["output", "strategy", "ray", "json", "quiet"],
         }
     }
 
@@ -140,7 +150,7 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Command
     let mut parser = lexopt::Parser::from_args(words);
     match parser.next().map_err(|error| lexical(&error, None))? {
         None => Err(Failure::usage(
-            "a verb is missing: sum, hull, info, convert or arrange; see `splitstar --help`",
+            "a verb is missing: sum, hull, info, convert, arrange or locate; see `splitstar --help`",
         )),
         Some(Short('h') | Long("help")) => Ok(Command::Help(None)),
         Some(Short('V') | Long("version")) => Ok(Command::Version),
@@ -159,7 +169,7 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Command
 fn verb(word: &OsStr) -> Result<Verb, Failure> {
     Verb::from_name(word).ok_or_else(|| {
         Failure::usage(format!(
-            "unknown verb `{}`; the verbs are sum, hull, info, convert and arrange, see `splitstar --help`",
+            "unknown verb `{}`; the verbs are sum, hull, info, convert, arrange and locate, see `splitstar --help`",
             word.to_string_lossy()
         ))
     })
@@ -184,6 +194,8 @@ fn parse_run(verb: Verb, parser: &mut lexopt::Parser) -> Result<Command, Failure
         surface: None,
         period: None,
         cells: None,
+        strategy: None,
+        ray: None,
     };
     let mut given: Vec<&'static str> = Vec::new();
     while let Some(argument) = parser.next().map_err(|error| lexical(&error, Some(verb)))? {
@@ -293,6 +305,19 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
                 }
             };
         }
+        "strategy" => {
+            let word = value()?;
+            run.strategy = Some(word.to_str().and_then(Strategy::from_name).ok_or_else(|| {
+                let names = Strategy::ALL.map(Strategy::name).join(", ");
+                usage(verb, format!("unknown strategy `{}`: {names}", word.to_string_lossy()))
+            })?);
+        }
+        "ray" => {
+            let word = value()?;
+            run.ray = Some(word.to_str().and_then(Ray::from_name).ok_or_else(|| {
+                usage(verb, format!("unknown direction `{}` of a ray: up or down", word.to_string_lossy()))
+            })?);
+        }
         "period" => {
             let period: [Rational; 2] = numbers(verb, "--period", "P,Q", &value()?)?;
             if period.iter().any(|period| period.sign() != Sign::Positive) {
@@ -309,53 +334,6 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
         "json" => run.json = true,
         "quiet" => run.quiet = true,
         _ => unreachable!("every option in the lists of the verbs is set here"),
-    }
-    Ok(())
-}
-
-/// What only the whole command line shows.
-fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
-    let verb = run.verb;
-    let (least, most) = match verb {
-        Verb::Sum => (2, usize::MAX),
-        Verb::Hull | Verb::Arrange => (1, usize::MAX),
-        Verb::Info | Verb::Convert => (1, 1),
-    };
-    let count = run.operands.len();
-    if count < least {
-        let wanted = if least == 1 { "a file to read" } else { "two or more files to add" };
-        return Err(usage(verb, format!("{wanted} expected, {count} given")));
-    }
-    if count > most {
-        return Err(usage(verb, format!("one file to read expected, {count} given")));
-    }
-    if run.operands.iter().filter(|operand| **operand == Place::Standard).count() > 1 {
-        return Err(usage(verb, "standard input `-` can be read once only"));
-    }
-    if !matches!(verb, Verb::Info | Verb::Arrange) && run.output.is_none() {
-        return Err(usage(verb, "where to write is missing: -o OUT, or -o - for standard output"));
-    }
-    let named = match (&run.output, verb) {
-        (Some(output), Verb::Arrange) if run.cells.is_none() => cells_of_name(output).err(),
-        (Some(output), _) if run.format.is_none() && verb != Verb::Arrange => encoding_of_name(output).err(),
-        (None, Verb::Arrange) if run.cells.is_some() => {
-            Some("`--format` says what to write, and where is missing: -o OUT".into())
-        }
-        _ => None,
-    };
-    if let Some(sentence) = named {
-        return Err(usage(verb, sentence));
-    }
-    if run.json && run.output == Some(Place::Standard) {
-        let what = if verb == Verb::Arrange { "arrangement" } else { "mesh" };
-        let sentence = format!("`-o -` and `--json` both want standard output; write the {what} to a file");
-        return Err(usage(verb, sentence));
-    }
-    if run.surface == Some(Surface::Plane) && run.period.is_some() {
-        return Err(usage(verb, "`--surface plane` and `--period` exclude each other"));
-    }
-    if given.contains(&"rotate") && given.contains(&"quat") {
-        return Err(usage(verb, "`--rotate` and `--quat` exclude each other"));
     }
     Ok(())
 }

@@ -41,17 +41,9 @@ pub(crate) fn tell_notes(operands: &[CurveOperand], console: &Console) {
     }
 }
 
-/// Whether a stream whose first bytes are these may be a file of curves: an error that comes before the last of their
-/// lines is one of the whole file, which need not have an end.
+/// Whether a stream whose first bytes are these may be a file of curves.
 fn check_start(start: &[u8], file_name: Option<&str>) -> Result<(), formats::ReadError> {
-    let lines = start.iter().filter(|byte| **byte == b'\n').count() as u64;
-    match formats::read_curves(start, file_name) {
-        Err(error) => match error.place {
-            Some(formats::Place::Line(line)) if u64::from(line) <= lines || start.contains(&0) => Err(error),
-            _ => Ok(()),
-        },
-        Ok(_) => Ok(()),
-    }
+    input::check_lines(start, formats::read_curves(start, file_name))
 }
 
 /// Finds out what the curves of all files lie on: the torus of these periods, or the plane. The files and the command line must agree.

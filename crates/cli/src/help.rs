@@ -12,6 +12,7 @@ pub(crate) fn text(verb: Option<Verb>) -> &'static str {
         Some(Verb::Info) => INFO,
         Some(Verb::Convert) => CONVERT,
         Some(Verb::Arrange) => ARRANGE,
+        Some(Verb::Locate) => LOCATE,
     }
 }
 
@@ -26,6 +27,7 @@ verbs:
   info     what a file is: format, counts, dimension, convexity, volume, bounds
   convert  another format; scale, reflect, rotate, move, triangulate; any mesh
   arrange  the arrangement of curves in the plane or on a torus: counts, cells, a picture
+  locate   in which cells of an arrangement points lie, or what is above or below them
 
   splitstar VERB --help tells all about a verb, with an example.
 
@@ -38,6 +40,7 @@ options of all verbs:
 Read: OFF, OBJ, STL, PLY, 3MF, VRML 2 and star, each perhaps packed with gzip; the content tells
 which. Written: these and glTF (.glb); the ending of the output's name tells which, or --format.
 `arrange` reads files of curves (text, WKT, GeoJSON) instead, and writes star and pictures (SVG).
+`locate` reads such a star file, and points.
 A decimal counts exactly as written, a binary float as the fraction it is; what a format must round
 is told. A file without facets is a point set and stands for its hull; a file whose only facet is a
 polygon, or has two vertices, is one of dimension 2 or 1.
@@ -175,4 +178,34 @@ no vertices. The numbers with splits count the vertices, too, at which curves ha
 example:
   splitstar arrange curves.txt
   splitstar arrange curves.txt -o curves.svg
+";
+
+const LOCATE: &str = "\
+splitstar locate: in which cells of an arrangement points lie, exact
+
+usage: splitstar locate ARRANGEMENT.star POINTS [OPTIONS]
+
+  ARRANGEMENT.star     a file that `splitstar arrange -o` has written; `-` is standard input
+  POINTS               a file of points; `-` is standard input. One a line: x y, point x y, a POINT
+                       of WKT or an object of GeoJSON; integers, decimals or fractions p/q. On a
+                       torus any coordinates will do
+  --ray DIRECTION      up or down: tell not where a point lies, but which vertex or edge a vertical
+                       ray from there meets first; if none, the face through which it leaves
+  --strategy STRATEGY  how cells are found; all give the same answers:
+                       naive       look at every cell
+                       walk        walk along a vertical line, face by face
+                       landmarks   walk from a point nearby whose cell is known
+                       trapezoids  search the vertical decomposition, which is made first
+                       sweep       one sweep over cells and points; not with --ray
+                       without it the number of points decides
+  -o, --output OUT     where to write the answers; without it, and for `-`, standard output
+  --json               one JSON object on standard output: answers, counts, strategy, times
+  -q, --quiet          no notes, no summary, no progress bar
+
+An answer a line, in the order of the points: `vertex 12`, `edge 5` or `face 0`, numbered as in the
+file of the arrangement.
+
+example:
+  splitstar locate curves.star points.txt
+  echo 1/2 0.25 | splitstar locate curves.star - --ray up
 ";

@@ -3,7 +3,7 @@
 use crate::args::Place;
 use crate::console::Console;
 use crate::failure::{Failure, part_name};
-use splitstar::formats::{self, Complex, ReadError, ReadModel, Shape};
+use splitstar::formats::{self, Complex, Fault, ReadError, ReadModel, Shape};
 use splitstar::polytope::PolygonMesh;
 use std::fs::File;
 use std::io::{self, Read};
@@ -67,7 +67,7 @@ impl Operand {
 }
 
 /// Whether a file that is none of a model is one of curves, without a mistake.
-fn is_of_curves(bytes: &[u8]) -> bool {
+pub(crate) fn is_of_curves(bytes: &[u8]) -> bool {
     formats::read_curves(bytes, None).is_ok_and(|file| !file.curves.is_empty() || file.period.is_some())
 }
 
@@ -83,6 +83,18 @@ fn no_mesh(complex: &Complex, name: &str) -> String {
 
 /// Tells whether the first bytes of a stream, with the name of the file if it has one, may be those of a file.
 type Check = fn(&[u8], Option<&str>) -> Result<(), ReadError>;
+
+/// Whether a stream may be a text of which this was read from the first bytes: an error that comes before the last of their lines is
+/// one of the whole text, which need not have an end. That the text ends is none.
+pub(crate) fn check_lines<F>(start: &[u8], read: Result<F, ReadError>) -> Result<(), ReadError> {
+    let Err(error) = read else { return Ok(()) };
+    let lines = start.iter().filter(|byte| **byte == b'\n').count() as u64;
+    match error.place {
+        _ if matches!(error.fault, Fault::Truncated { .. }) && !start.contains(&0) => Ok(()),
+        Some(formats::Place::Line(line)) if u64::from(line) <= lines || start.contains(&0) => Err(error),
+        _ => Ok(()),
+    }
+}
 
 /// Begins the step of reading, and reads a file or standard input.
 pub(crate) fn bytes(place: &Place, console: &Console, check: Check) -> Result<Vec<u8>, Failure> {

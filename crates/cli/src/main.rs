@@ -14,7 +14,9 @@ mod explain;
 mod failure;
 mod help;
 mod input;
+mod located;
 mod output;
+mod points;
 mod report;
 mod verbs;
 
@@ -48,6 +50,7 @@ fn run() -> Result<(), Failure> {
                 Verb::Info => verbs::info(&run),
                 Verb::Convert => verbs::convert(&run),
                 Verb::Arrange => verbs::arrange(&run),
+                Verb::Locate => verbs::locate(&run),
             }
         }
     }

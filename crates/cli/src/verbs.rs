@@ -4,12 +4,14 @@ mod arrange;
 mod convert;
 mod hull;
 mod info;
+mod locate;
 mod sum;
 
 pub(crate) use arrange::arrange;
 pub(crate) use convert::convert;
 pub(crate) use hull::hull;
 pub(crate) use info::info;
+pub(crate) use locate::locate;
 pub(crate) use sum::sum;
 
 use crate::approx::approx;

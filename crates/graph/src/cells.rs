@@ -1,6 +1,6 @@
 //! The two kinds of nodes: vertices and faces.
 
-use dcel::{Dcel, FaceId, HalfedgeId, VertexId};
+use dcel::{CcbId, Dcel, FaceId, HalfedgeId, VertexId};
 use std::fmt::Debug;
 use std::hash::Hash;
 
@@ -143,11 +143,9 @@ impl Cells for Faces {
     }
 
     fn star(dcel: &Dcel, f: FaceId) -> FaceStar<'_> {
-        let mut ccbs = dcel.face_ccbs(f).map(|ccb| dcel.ccb_halfedge(ccb));
-        let (first, second) = (ccbs.next(), ccbs.next());
-        // The usual face has one CCB, and needs no allocation.
-        let others = second.map(|second| Box::new(std::iter::once(second).chain(ccbs)) as Box<_>);
-        FaceStar { dcel, first, at: first, others }
+        let ccb = dcel.first_ccb(f);
+        let first = ccb.map(|ccb| dcel.ccb_halfedge(ccb));
+        FaceStar { dcel, ccb, first, at: first }
     }
 
     fn has_edge(self, _: &Dcel, _: HalfedgeId) -> bool {
@@ -178,13 +176,13 @@ impl Iterator for VertexStar<'_> {
 }
 
 /// The halfedges along the CCBs of a face.
+#[derive(Clone)]
 pub struct FaceStar<'a> {
     dcel: &'a Dcel,
-    /// The first halfedge of the present CCB.
+    /// The present CCB, and its first halfedge.
+    ccb: Option<CcbId>,
     first: Option<HalfedgeId>,
     at: Option<HalfedgeId>,
-    /// One halfedge of each further CCB.
-    others: Option<Box<dyn Iterator<Item = HalfedgeId> + 'a>>,
 }
 
 impl Iterator for FaceStar<'_> {
@@ -192,7 +190,8 @@ impl Iterator for FaceStar<'_> {
 
     fn next(&mut self) -> Option<HalfedgeId> {
         if self.at.is_none() {
-            self.first = self.others.as_mut()?.next();
+            self.ccb = self.dcel.next_ccb(self.ccb?);
+            self.first = self.ccb.map(|ccb| self.dcel.ccb_halfedge(ccb));
             self.at = self.first;
         }
         let h = self.at?;

@@ -45,7 +45,7 @@ pub type Dual<'a, D = Undirected, N = Ids, E = Ids> = CellGraph<'a, Faces, D, N,
 ///
 /// | what | costs |
 /// |---|---|
-/// | neighbours or edges of a node, all of them | linear in its degree, in the dual in the length of its CCBs; no allocation, but one for a face with several CCBs |
+/// | neighbours or edges of a node, all of them | linear in its degree, in the dual in the length of its CCBs; no allocation |
 /// | all nodes, all edges | linear in the bound of their ids |
 /// | `node_count` | constant |
 /// | `edge_count` | constant, but for the primal graph of an arrangement with ends at infinity: linear in their number |

@@ -4,7 +4,8 @@
 //! |---|---|
 //! | `growth` | geodesic spheres and bipyramids of growing size: time and peak memory per feature |
 //! | `arrangements` | short segments of growing number: time per event |
-//! | `editing` | curves inserted one by one into growing arrangements, faces with thousands of holes: time per step |
+//! | `editing` | curves inserted one by one into growing arrangements, faces with thousands of holes: time and counted work per step (`counted`) |
+//! | `location` | points in growing arrangements: time and predicates per query |
 //! | `widths` | a histogram of coordinate widths, and the speed at given widths |
 //!
 //! `bench repeat A B N` sums two files N times and does nothing else: what a profiler looks at. The difference of two N is the
@@ -13,8 +14,10 @@
 //! Every case runs in a process of its own (`bench --case A B`), so that its peak memory is its own.
 
 mod arrangements;
+mod counted;
 mod editing;
 mod growth;
+mod location;
 mod widths;
 
 use std::fs;
@@ -31,14 +34,19 @@ use crate::{Failure, shell};
 /// If an input cannot be written or summed.
 pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
     match words {
-        [] => [growth::run, arrangements::run, editing::run, widths::run].iter().try_for_each(|run| run()),
+        [] => [growth::run, arrangements::run, editing::run, location::run, widths::run]
+            .iter()
+            .try_for_each(|run| run()),
         ["growth"] => growth::run(),
         ["arrangements"] => arrangements::run(),
         ["editing"] => editing::run(),
+        ["location"] => location::run(),
         ["widths"] => widths::run(),
         ["--case", a, b] => case(&[PathBuf::from(a), PathBuf::from(b)]),
         ["repeat", a, b, times] => repeat(&[PathBuf::from(a), PathBuf::from(b)], times.parse()?),
-        _ => Err("usage: cargo xtask bench [growth|arrangements|editing|widths|repeat A B N]".into()),
+        _ => {
+            Err("usage: cargo xtask bench [growth|arrangements|editing|location|widths|repeat A B N]".into())
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! An arrangement from the cells that a sweep made and the curves that it swept over.
 
 use super::Parts;
-use super::build::Built;
+use super::build::{Built, CORNER_FACE};
 use crate::topology::Topology;
 use crate::traits::{CurveEnd, Intersection, UMonotoneTraits};
 use dcel::EdgeId;
@@ -18,8 +18,8 @@ pub(crate) fn assemble<G: UMonotoneTraits, T: Topology<G>>(
 ) -> Parts<G> {
     let Built { dcel, points, is_artificial, edge_curves, overlaps } = built;
     let supports = edge_curves.into_iter().map(&support_of).collect();
-    let mut overlapping =
-        Overlaps { traits, topology, parts: Parts { dcel, points, is_artificial, curves, supports } };
+    let parts = Parts { dcel, points, is_artificial, curves, supports, corner_face: CORNER_FACE };
+    let mut overlapping = Overlaps { traits, topology, parts };
     // Consecutive edges usually have the same overlap.
     let mut known: BTreeMap<Vec<u32>, Vec<u32>> = BTreeMap::new();
     for (edge, mut members) in overlaps {

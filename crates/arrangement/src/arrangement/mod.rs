@@ -63,6 +63,7 @@ pub struct Arrangement<G: BasicTraits, T> {
     pub(crate) curves: Vec<G::UMonotoneCurve>,
     /// For each edge, its curve.
     pub(crate) supports: Vec<u32>,
+    pub(crate) corner_face: FaceId,
     /// Another one after every change.
     pub(crate) stamp: Stamp,
 }
@@ -79,6 +80,7 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
             is_artificial: built.is_artificial,
             curves: Vec::new(),
             supports: Vec::new(),
+            corner_face: build::CORNER_FACE,
             stamp: Stamp::fresh(),
         }
     }
@@ -177,8 +179,12 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
     ///
     /// In an unbounded arrangement it is the face that is left of and below all others, on a torus the one at the lower left
     /// corner of the rectangle.
+    ///
+    /// A sweep makes it face 0. Edits may give it another id: where it is split or becomes one with another face, the larger of the
+    /// two keeps its id.
+    #[inline]
     pub fn corner_face(&self) -> FaceId {
-        FaceId(0)
+        self.corner_face
     }
 
     /// Tells whether a face of an arrangement in the plane is unbounded: it has no outer CCB, or one through infinity.

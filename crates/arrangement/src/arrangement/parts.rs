@@ -4,7 +4,7 @@ use super::{Arrangement, Violation};
 use crate::edit::Stamp;
 use crate::topology::Topology;
 use crate::traits::{BasicTraits, UMonotoneTraits};
-use dcel::Dcel;
+use dcel::{Dcel, FaceId};
 
 /// How many violations are enough to refuse parts.
 const ENOUGH: usize = 64;
@@ -12,8 +12,7 @@ const ENOUGH: usize = 64;
 /// What an arrangement consists of, beside traits and topology.
 ///
 /// What [`Arrangement::from_parts`] asks of them is what [`Arrangement::into_parts`] gives: vertices that stand for sides come first
-/// (one in the unbounded plane, none in the bounded plane and on a torus), and face 0 is the
-/// [corner face](Arrangement::corner_face). The min vertex of edge e is the source of halfedge 2 e.
+/// (one in the unbounded plane, none in the bounded plane and on a torus). The min vertex of edge e is the source of halfedge 2 e.
 #[derive(Clone, Debug)]
 pub struct Parts<G: BasicTraits> {
     /// The cells.
@@ -26,12 +25,15 @@ pub struct Parts<G: BasicTraits> {
     pub curves: Vec<G::UMonotoneCurve>,
     /// For each edge, the position of its curve.
     pub supports: Vec<u32>,
+    /// The [corner face](Arrangement::corner_face).
+    pub corner_face: FaceId,
 }
 
 impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// Puts an arrangement together, whatever the parts are.
     ///
-    /// Points and curves must be of this surface: on a torus, coordinates of points are below the periods.
+    /// Points and curves must be of this surface, which is looked at, too: on a torus, coordinates of points are at least zero and below
+    /// the periods, and curves are those of a torus with the same periods.
     ///
     /// # Errors
     /// What [`Arrangement::check_valid`] finds; of edges that meet and cells in wrong faces only the first few.
@@ -63,24 +65,26 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
 impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
     /// Puts an arrangement together from parts that are known to fit.
     pub(crate) fn of_valid_parts(traits: G, topology: T, parts: Parts<G>) -> Self {
-        let Parts { dcel, points, is_artificial, curves, supports } = parts;
-        Self { traits, topology, dcel, points, is_artificial, curves, supports, stamp: Stamp::fresh() }
+        let Parts { dcel, points, is_artificial, curves, supports, corner_face } = parts;
+        let stamp = Stamp::fresh();
+        Self { traits, topology, dcel, points, is_artificial, curves, supports, corner_face, stamp }
     }
 
     /// Replaces all cells by others.
     pub(crate) fn set_parts(&mut self, parts: Parts<G>) {
-        let Parts { dcel, points, is_artificial, curves, supports } = parts;
+        let Parts { dcel, points, is_artificial, curves, supports, corner_face } = parts;
         self.dcel = dcel;
         self.points = points;
         self.is_artificial = is_artificial;
         self.curves = curves;
         self.supports = supports;
+        self.corner_face = corner_face;
         self.stamp = Stamp::fresh();
     }
 
     /// Takes the arrangement apart.
     pub fn into_parts(self) -> Parts<G> {
-        let Self { dcel, points, is_artificial, curves, supports, .. } = self;
-        Parts { dcel, points, is_artificial, curves, supports }
+        let Self { dcel, points, is_artificial, curves, supports, corner_face, .. } = self;
+        Parts { dcel, points, is_artificial, curves, supports, corner_face }
     }
 }

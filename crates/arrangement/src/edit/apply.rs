@@ -4,7 +4,7 @@ use super::{Done, Edit, EditOf, Observer, Stamp};
 use crate::arrangement::{Arrangement, CurveId, Parts};
 use crate::topology::Topology;
 use crate::traits::{BasicTraits, CurveEnd};
-use dcel::{CcbKind, CcbSplit, Dcel, EdgeId, EndFate, VertexId};
+use dcel::{CcbKind, CcbSplit, Dcel, EdgeId, EndFate, FaceId, Side, VertexId};
 
 impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
     /// Makes a primitive change, and tells the observer before and after.
@@ -22,6 +22,7 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
             is_artificial: &mut self.is_artificial,
             curves: &mut self.curves,
             supports: &mut self.supports,
+            corner_face: &mut self.corner_face,
         };
         let done = cells.change(&edit);
         self.stamp = Stamp::fresh();
@@ -50,12 +51,13 @@ pub(super) struct Cells<'a, P, C> {
     is_artificial: &'a mut Vec<bool>,
     curves: &'a mut Vec<C>,
     supports: &'a mut Vec<u32>,
+    corner_face: &'a mut FaceId,
 }
 
 impl<'a, P: Clone, C: Clone> Cells<'a, P, C> {
     pub(super) fn of<G: BasicTraits<Point = P, UMonotoneCurve = C>>(parts: &'a mut Parts<G>) -> Self {
-        let Parts { dcel, points, is_artificial, curves, supports } = parts;
-        Self { dcel, points, is_artificial, curves, supports }
+        let Parts { dcel, points, is_artificial, curves, supports, corner_face } = parts;
+        Self { dcel, points, is_artificial, curves, supports, corner_face }
     }
 
     /// Makes a primitive change.
@@ -96,6 +98,12 @@ impl<'a, P: Clone, C: Clone> Cells<'a, P, C> {
                     let stays = fate == EndFate::Isolate || self.points[v.index()].is_some();
                     assert!(stays, "a vertex that stands for a side is not removed");
                 }
+                let faces = [Side::Even, Side::Odd].map(|side| self.dcel.face(e.half(side)));
+                let (kept, gone) = match survivor {
+                    Side::Even => (faces[0], faces[1]),
+                    Side::Odd => (faces[1], faces[0]),
+                };
+                self.check_gone(kept, gone);
                 Done::Removed(self.dcel.remove_edge(e, ends, survivor))
             }
             Edit::InsertEdgeInFace { support, .. }
@@ -112,6 +120,7 @@ impl<'a, P: Clone, C: Clone> Cells<'a, P, C> {
             | Edit::MergeFaces { .. }
             | Edit::MoveCcb { .. }
             | Edit::MoveIsolatedVertex { .. }
+            | Edit::SetCornerFace { .. }
             | Edit::SetCcbKind { .. } => self.change_lists(edit),
         }
     }
@@ -162,13 +171,24 @@ impl<'a, P: Clone, C: Clone> Cells<'a, P, C> {
                 self.dcel.remove_isolated_vertex(v);
             }
             Edit::SplitFace { ccb } => return Done::Face(self.dcel.split_face(ccb)),
-            Edit::MergeFaces { kept, gone } => self.dcel.merge_faces(kept, gone),
+            Edit::MergeFaces { kept, gone } => {
+                self.check_gone(kept, gone);
+                self.dcel.merge_faces(kept, gone);
+            }
+            Edit::SetCornerFace { face } => {
+                assert!(self.dcel.has_face(face), "only a face becomes the corner face");
+                *self.corner_face = face;
+            }
             Edit::MoveCcb { ccb, face } => self.dcel.move_ccb(ccb, face),
             Edit::MoveIsolatedVertex { v, face } => self.dcel.move_isolated_vertex(v, face),
             Edit::SetCcbKind { ccb, kind } => self.dcel.set_ccb_kind(ccb, kind),
             _ => unreachable!("no other edit changes lists only"),
         }
         Done::Changed
+    }
+
+    fn check_gone(&self, kept: FaceId, gone: FaceId) {
+        assert!(kept == gone || gone != *self.corner_face, "the corner face does not go");
     }
 
     /// Splits an edge; the part at the end `kept` keeps the id.

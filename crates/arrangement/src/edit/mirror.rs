@@ -39,6 +39,8 @@ pub enum MirrorDifference {
     Face(FaceId),
     /// A curve: it is on one side only, or is another one.
     Curve(CurveId),
+    /// Another face is the corner face.
+    CornerFace,
 }
 
 impl<G: BasicTraits> Mirror<G> {
@@ -80,6 +82,9 @@ impl<G: BasicTraits> Mirror<G> {
         if let Some(difference) = difference_of_cells(&mine.dcel, &theirs.dcel) {
             return Some(difference);
         }
+        if mine.corner_face != theirs.corner_face {
+            return Some(D::CornerFace);
+        }
         let is_same_vertex = |v: VertexId| {
             let is_same_point = match (&mine.points[v.index()], &theirs.points[v.index()]) {
                 (Some(p), Some(q)) => theirs.traits.is_same_point(p, q),
@@ -103,13 +108,14 @@ impl<G: BasicTraits> Mirror<G> {
 }
 
 fn copy<G: BasicTraits, T>(arrangement: &Arrangement<G, T>) -> Parts<G> {
-    let Arrangement { dcel, points, is_artificial, curves, supports, .. } = arrangement;
+    let Arrangement { dcel, points, is_artificial, curves, supports, corner_face, .. } = arrangement;
     Parts {
         dcel: dcel.clone(),
         points: points.clone(),
         is_artificial: is_artificial.clone(),
         curves: curves.clone(),
         supports: supports.clone(),
+        corner_face: *corner_face,
     }
 }
 

@@ -98,7 +98,7 @@ pub enum Edit<P, C> {
         e: EdgeId,
         /// What becomes of its min and of its max vertex if they have no other edge. A vertex that stands for a side is never removed.
         ends: [EndFate; 2],
-        /// The side whose face keeps its id.
+        /// The side whose face keeps its id. The face that goes is not the corner face.
         survivor: Side,
     },
     /// An edge becomes two on the same curve.
@@ -127,7 +127,7 @@ pub enum Edit<P, C> {
     MergeFaces {
         /// The face that stays.
         kept: FaceId,
-        /// The face that goes.
+        /// The face that goes; not the corner face.
         gone: FaceId,
     },
     /// A CCB becomes one of another face.
@@ -142,6 +142,12 @@ pub enum Edit<P, C> {
         /// The vertex.
         v: VertexId,
         /// Its face then.
+        face: FaceId,
+    },
+    /// Another face becomes the [corner face](crate::Arrangement::corner_face). It comes next after [`SplitFace`](Self::SplitFace) if the
+    /// new face has the corner, and before an edit by which the corner face goes.
+    SetCornerFace {
+        /// The corner face then.
         face: FaceId,
     },
     /// An outer CCB becomes an inner one, or the other way round.

@@ -227,18 +227,15 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         }
     }
 
-    /// The side of an edge whose face is to keep its id when the edge is removed: that of the [corner face](Arrangement::corner_face) if it
-    /// is one of the two, else of the face that has more CCBs and isolated vertices.
+    /// The side of an edge whose face is to keep its id when the edge is removed: that of the face that has more CCBs and isolated
+    /// vertices.
     ///
     /// # Complexity
     /// Linear in the number of CCBs and isolated vertices of the face that has fewer.
     pub(crate) fn survivor_of(&self, e: EdgeId) -> Side {
         let faces = [Side::Even, Side::Odd].map(|side| self.dcel.face(e.half(side)));
-        if faces[0] == faces[1] || faces[0] == self.corner_face() {
+        if faces[0] == faces[1] {
             return Side::Even;
-        }
-        if faces[1] == self.corner_face() {
-            return Side::Odd;
         }
         let [mut even, mut odd] = faces.map(|f| {
             let isolated = self.dcel.isolated_vertices(f).map(|_| ());
@@ -253,7 +250,8 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         }
     }
 
-    /// Removes an edge, and settles the kinds of CCBs. Faces become one by [`Arrangement::survivor_of`].
+    /// Removes an edge, and settles the kinds of CCBs. Faces become one by [`Arrangement::survivor_of`]; if the corner face is the one
+    /// that goes, the other one is the corner face then.
     ///
     /// # Panics
     /// If a vertex that stands for a side is to be removed.
@@ -267,6 +265,11 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         observer: &mut O,
     ) -> Removed {
         let (ends, survivor) = (self.dcel.ends(e), self.survivor_of(e));
+        let kept = self.dcel.face(e.half(survivor));
+        let is_corner = |side| self.dcel.face(e.half(side)) == self.corner_face;
+        if kept != self.corner_face && [Side::Even, Side::Odd].into_iter().any(is_corner) {
+            self.apply(Edit::SetCornerFace { face: kept }, observer);
+        }
         let removed = self.apply(Edit::RemoveEdge { e, ends: fates, survivor }, observer).removed();
         self.settle_removal(ends, removed, observer);
         removed

@@ -117,10 +117,20 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     }
 
     /// Looks where a curve goes from a site on it.
-    pub(super) fn next_of(&mut self, id: CurveId, site: SiteId) -> Next<G::Point> {
+    fn next_of(&mut self, id: CurveId, site: SiteId) -> Next<G::Point> {
+        let first = self.first_of(id, site);
+        self.next_from(id, site, first)
+    }
+
+    /// The trapezoid through which a curve goes from a site on it: the one above, if it runs along an edge.
+    pub(super) fn first_of(&mut self, id: CurveId, site: SiteId) -> TrapezoidId {
+        self.trapezoids.first_of(&self.arrangement, site, self.arrangement.curve(id))
+    }
+
+    /// Looks where a curve goes from a site on it through a trapezoid.
+    pub(super) fn next_from(&self, id: CurveId, site: SiteId, first: TrapezoidId) -> Next<G::Point> {
         let arrangement = &self.arrangement;
         let curve = arrangement.curve(id);
-        let first = self.trapezoids.first_of(arrangement, site, curve);
         let place = self.trapezoids.place(arrangement, site);
         match next(arrangement, &self.trapezoids, curve, (&place, On::Site(site)), first) {
             zone::Next::Along(rail, until) => Next::Along(self.trapezoids.rail(rail).edge, until),

@@ -15,15 +15,16 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// it begins.
     ///
     /// # Complexity
-    /// Linear in the number of trapezoids through which the edge runs, and in the length of the shorter CCB that arises. If the face is
-    /// split that has other CCBs or isolated vertices besides, also linear in the number of trapezoids of the smaller part, or of the new
-    /// face, if the smaller one has to keep its id.
+    /// Linear in the number of trapezoids through which the edge runs, and in the length of the shorter CCB that arises. If a face is
+    /// split that has other CCBs or isolated vertices besides, or the corner, also linear in the number of trapezoids of the smaller part.
     pub(super) fn insert_edge(
         &mut self,
         support: CurveId,
         [min, max]: [At; 2],
         first: TrapezoidId,
     ) -> EdgeId {
+        // A vertex may have been made in it since it was found.
+        let first = self.trapezoids.first_part(first);
         let dcel = self.arrangement.dcel();
         let is_alone = [min, max].iter().all(|at| dcel.outgoing(at.v).is_none());
         let face = is_alone.then(|| self.trapezoids.face_of(&self.arrangement, first));
@@ -58,7 +59,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         e
     }
 
-    /// Splits the face at a new edge, and moves what lies in the part that becomes the new face.
+    /// Splits the face at a new edge, and moves what lies in the smaller part, which becomes the new face.
     fn split_face(&mut self, e: EdgeId, new: &NewRail, settled: SettledInsertion) {
         let dcel = self.arrangement.dcel();
         let face = dcel.face(e.halfedge());
@@ -69,18 +70,17 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
             (settled.shorter, Vec::new())
         } else {
             let (smaller, part) = self.trapezoids.smaller_part(&self.arrangement, new.first);
-            let is_at_corner = |t: &TrapezoidId| self.trapezoids.trapezoid(*t).left.is_none();
-            if is_corner && part.iter().any(is_at_corner) {
-                let other = 1 - smaller;
-                (sides[other], self.trapezoids.part(&self.arrangement, new.first[other]))
-            } else {
-                (sides[smaller], part)
-            }
+            (sides[smaller], part)
         };
+        let is_at_corner = |t: &TrapezoidId| self.trapezoids.trapezoid(*t).left.is_none();
+        let takes_corner = is_corner && part.iter().any(is_at_corner);
         let ccbs = [Side::Even, Side::Odd].map(|side| dcel.ccb(e.half(side)));
         let ccb = dcel.ccb(e.half(side));
         let contents = self.trapezoids.contents(&self.arrangement, &part);
         let face = self.arrangement.apply(Edit::SplitFace { ccb }, &mut self.observers).face();
+        if takes_corner {
+            self.arrangement.apply(Edit::SetCornerFace { face }, &mut self.observers);
+        }
         for ccb in contents.ccbs.into_iter().filter(|ccb| !ccbs.contains(ccb)) {
             self.arrangement.apply(Edit::MoveCcb { ccb, face }, &mut self.observers);
         }

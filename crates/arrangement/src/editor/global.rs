@@ -1,7 +1,7 @@
 //! All is numbered anew, dropped, or swept again: no id stays what it was.
 
 use super::Editor;
-use crate::arrangement::build::Builder;
+use crate::arrangement::build::{Builder, CORNER_FACE};
 use crate::arrangement::{CurveId, Parts};
 use crate::edit::Observer;
 use crate::insert::Pieces;
@@ -87,6 +87,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                 })
                 .collect();
             let cells = dcel.compact();
+            arrangement.corner_face = cells.face(arrangement.corner_face).expect("the corner face stays");
             keep(&mut arrangement.curves, |i| is_used[i]);
             keep(supports, |i| cells.edge(EdgeId::new(i)).is_some());
             for support in supports {
@@ -115,6 +116,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                 is_artificial: built.is_artificial,
                 curves: Vec::new(),
                 supports: Vec::new(),
+                corner_face: CORNER_FACE,
             });
         });
         self.trapezoids = Trapezoids::of(&self.arrangement);
@@ -139,13 +141,21 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         self.trapezoids = Trapezoids::of(&self.arrangement);
         provenance
     }
-}
 
-impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
-    /// Inserts general curves and points by one sweep: see [`Editor::insert_pieces`].
+    /// Inserts points by one sweep: see [`Editor::insert_pieces`]. One by one: [`Editor::insert_point`].
     ///
     /// # Preconditions
     /// Those of [`Pieces`] on points.
+    ///
+    /// # Complexity
+    /// As of [`Editor::insert_pieces`].
+    pub fn insert_points(&mut self, points: impl IntoIterator<Item = G::Point>) -> Provenance {
+        self.insert_pieces(Pieces { points: points.into_iter().collect(), ..Pieces::new() })
+    }
+}
+
+impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
+    /// Inserts general curves by one sweep: see [`Editor::insert_pieces`]. One by one: [`Editor::insert_curve`].
     ///
     /// # Complexity
     /// As of [`Editor::insert_pieces`].
@@ -160,11 +170,25 @@ impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// let segment = |ends| Segment::from_i64(ends).expect("the ends are different");
     /// let mut editor = Editor::new(Arrangement::new(SegmentTraits, BoundedPlane));
     /// let old = editor.insert_curve(&segment([[0, 0], [4, 0]]));
-    /// let provenance = editor.insert_all(&[segment([[2, -1], [2, 1]]), segment([[3, -1], [3, 1]])], []);
+    /// let provenance = editor.insert_curves(&[segment([[2, -1], [2, 1]]), segment([[3, -1], [3, 1]])]);
     /// let on_old = |e: &_| provenance.of_edge(*e) == [Cell::Edge(old[0])];
     /// assert_eq!(editor.dcel().edges().filter(on_old).count(), 3);
     /// ```
-    pub fn insert_all<'a>(
+    pub fn insert_curves<'a>(&mut self, curves: impl IntoIterator<Item = &'a G::Curve>) -> Provenance
+    where
+        G::Curve: 'a,
+    {
+        self.insert_curves_and_points(curves, [])
+    }
+
+    /// Inserts general curves and points by one sweep: see [`Editor::insert_pieces`].
+    ///
+    /// # Preconditions
+    /// Those of [`Pieces`] on points.
+    ///
+    /// # Complexity
+    /// As of [`Editor::insert_pieces`].
+    pub fn insert_curves_and_points<'a>(
         &mut self,
         curves: impl IntoIterator<Item = &'a G::Curve>,
         points: impl IntoIterator<Item = G::Point>,
@@ -173,7 +197,7 @@ impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         G::Curve: 'a,
     {
         let mut pieces = Pieces::of_curves(self.arrangement.traits(), curves);
-        points.into_iter().for_each(|point| pieces.push_point(point));
+        pieces.points.extend(points);
         self.insert_pieces(pieces)
     }
 }

@@ -8,7 +8,7 @@ use crate::edit::{Edit, Observer, Operation};
 use crate::overlay::Cell;
 use crate::topology::{Site, Topology};
 use crate::traits::{CurveEnd, UMonotoneTraits};
-use crate::trapezoids::{Found, NewSite, side};
+use crate::trapezoids::{Found, NewSite, TrapezoidId, side};
 use crate::zone::Hit;
 use dcel::{EdgeId, FaceId, VertexId};
 
@@ -21,6 +21,17 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     ///
     /// # Complexity
     /// Expected O(log n) if curves came in random order.
+    ///
+    /// # Examples
+    /// ```
+    /// use exact::planar::Point2;
+    /// use splitstar_arrangement::{Arrangement, Editor, models::{Segment, SegmentTraits}, topology::BoundedPlane};
+    /// let mut editor = Editor::new(Arrangement::new(SegmentTraits, BoundedPlane));
+    /// editor.insert_curve(&Segment::from_i64([[0, 0], [4, 0]]).expect("the ends are different"));
+    /// let [alone, middle, again] = [[1, 1], [2, 0], [2, 0]].map(|at| editor.insert_point(&Point2::from_i64(at)));
+    /// assert_eq!(editor.dcel().isolated_face(alone), Some(editor.corner_face()));
+    /// assert_eq!((editor.dcel().degree(middle), again), (2, middle));
+    /// ```
     pub fn insert_point(&mut self, point: &G::Point) -> VertexId {
         self.operate(Operation::InsertPoint, |editor| editor.add_point(point).v)
     }
@@ -36,7 +47,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// # Complexity
     /// As of [`Editor::insert_point`].
     pub fn insert_point_in_face(&mut self, point: &G::Point, face: FaceId) -> VertexId {
-        debug_assert_eq!(self.locate(point), Cell::Face(face), "the point lies in the face");
+        debug_assert_eq!(self.locate(point), Cell::Face(face), "the point lies in face {}", face.0);
         self.insert_point(point)
     }
 
@@ -74,7 +85,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// assert_eq!(editor.counts().faces, 2);
     /// ```
     pub fn insert_edge_in_face(&mut self, curve: G::UMonotoneCurve, face: FaceId) -> EdgeId {
-        debug_assert!(self.are_new_ends_in(&curve, CurveEnd::BOTH, Some(face)), "the ends lie in the face");
+        let are_in = |editor: &Self| editor.are_new_ends_in(&curve, CurveEnd::BOTH, Some(face));
+        debug_assert!(are_in(self), "the ends lie in face {}", face.0);
         self.insert_known(curve, [None; 2])
     }
 
@@ -93,7 +105,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// # References
     /// Thesis, section 2.3.2.
     pub fn insert_edge_from(&mut self, v: VertexId, curve: G::UMonotoneCurve) -> EdgeId {
-        debug_assert!(self.are_new_ends_in(&curve, [CurveEnd::Max], None), "the max end lies in a face");
+        let is_in = |editor: &Self| editor.are_new_ends_in(&curve, [CurveEnd::Max], None);
+        debug_assert!(is_in(self), "the max end of the edge from vertex {} lies in a face", v.0);
         self.insert_known(curve, [Some(v), None])
     }
 
@@ -108,7 +121,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// # Complexity
     /// As of [`Editor::insert_edge_from`].
     pub fn insert_edge_to(&mut self, curve: G::UMonotoneCurve, v: VertexId) -> EdgeId {
-        debug_assert!(self.are_new_ends_in(&curve, [CurveEnd::Min], None), "the min end lies in a face");
+        let is_in = |editor: &Self| editor.are_new_ends_in(&curve, [CurveEnd::Min], None);
+        debug_assert!(is_in(self), "the min end of the edge to vertex {} lies in a face", v.0);
         self.insert_known(curve, [None, Some(v)])
     }
 
@@ -164,7 +178,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Inserts a curve whose interior meets nothing, and of whose ends some are at known vertices.
     fn insert_known(&mut self, curve: G::UMonotoneCurve, known: [Option<VertexId>; 2]) -> EdgeId {
         for v in known.into_iter().flatten() {
-            assert!(self.arrangement.dcel().has_vertex(v), "only at a vertex an edge begins or ends");
+            let is_vertex = self.arrangement.dcel().has_vertex(v);
+            assert!(is_vertex, "vertex {} does not exist: only at a vertex an edge begins or ends", v.0);
         }
         self.operate(Operation::InsertEdge, |editor| {
             let support = editor.arrangement.apply(Edit::AddCurve { curve }, &mut editor.observers).curve();
@@ -172,19 +187,25 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                 Some(v) => editor.known_vertex(v, support, end),
                 None => editor.vertex_at_end(support, end, false),
             });
-            let first = if cfg!(debug_assertions) {
-                let Next::Through(first, hit) = editor.next_of(support, ends[0].site) else {
-                    panic!("the curve runs along an edge");
-                };
-                let is_free = matches!(hit, Hit::Site { site, is_end: true } if site == ends[1].site);
-                assert!(is_free, "the interior of the curve meets something");
-                first
-            } else {
-                let curve = editor.arrangement.curve(support);
-                editor.trapezoids.first_of(&editor.arrangement, ends[0].site, curve)
-            };
+            let first = editor.first_of(support, ends[0].site);
+            debug_assert_eq!(
+                editor.obstacle(support, ends, first),
+                None,
+                "the interior of the curve is free"
+            );
             editor.insert_edge(support, ends, first)
         })
+    }
+
+    /// What a stored curve meets, or runs along, before it comes to its max end; it goes through the trapezoid first.
+    fn obstacle(&self, support: CurveId, ends: [At; 2], first: TrapezoidId) -> Option<Cell> {
+        match self.next_from(support, ends[0].site, first) {
+            Next::Along(e, _) => Some(Cell::Edge(e)),
+            Next::Through(_, Hit::Site { site, is_end: true }) if site == ends[1].site => None,
+            Next::Through(_, Hit::Site { site, .. }) => Some(Cell::Vertex(self.trapezoids.vertex(site))),
+            Next::Through(_, Hit::Edge { rail, .. }) => Some(Cell::Edge(self.trapezoids.rail(rail).edge)),
+            Next::Through(_, Hit::End { .. }) => unreachable!("there is a vertex at the max end"),
+        }
     }
 
     /// A known vertex, at the place where a stored curve has an end.
@@ -194,12 +215,14 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let curve = arrangement.curve(support);
         let location = topology.end_location(traits, curve, end);
         let Some(point) = arrangement.point(v).cloned() else {
-            debug_assert_eq!(self.side_vertex(location), Some(v), "the curve ends on the side of the vertex");
+            let on_side = self.side_vertex(location);
+            debug_assert_eq!(on_side, Some(v), "the curve ends on the side of vertex {}", v.0);
             return self.vertex_at_end(support, end, false);
         };
         debug_assert!(
             traits.end_point(curve, end).is_some_and(|end| traits.is_same_point(end, &point)),
-            "the curve ends at the vertex"
+            "the curve ends at vertex {}",
+            v.0
         );
         self.make_ordinary(v);
         At { v, site: self.site_at(v, &point, location) }

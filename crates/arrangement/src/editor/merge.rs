@@ -127,7 +127,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
 
     fn find_mergeable(&self, v: VertexId) -> Result<Mergeable<G::UMonotoneCurve>, VertexNeeded> {
         let (arrangement, dcel) = (&self.arrangement, self.arrangement.dcel());
-        assert!(dcel.has_vertex(v), "only at a vertex edges are merged");
+        assert!(dcel.has_vertex(v), "vertex {} does not exist: only at a vertex edges are merged", v.0);
         let needed = |reason| Err(VertexNeeded { vertex: v, reason });
         if arrangement.is_at_infinity(v) {
             return needed(VertexNeed::Side);

@@ -12,6 +12,8 @@
 //! | `hooks` | what the history needs |
 //! | `global` | all is numbered anew, dropped, or swept again |
 
+#[cfg(test)]
+mod corner_tests;
 mod curve;
 mod edge;
 mod global;
@@ -31,9 +33,9 @@ mod undo;
 use crate::arrangement::Arrangement;
 use crate::edit::{Observer, Operation, Stale};
 use crate::overlay::Cell;
-use crate::topology::{Site, Topology};
+use crate::topology::Topology;
 use crate::traits::UMonotoneTraits;
-use crate::trapezoids::{Found, Toward, Trapezoids, side};
+use crate::trapezoids::Trapezoids;
 pub use global::Renumbering;
 pub(crate) use hooks::Came;
 pub use merge::{MergedEdges, VertexNeed, VertexNeeded};
@@ -43,8 +45,8 @@ use std::ops::Deref;
 /// An arrangement that is edited, with what finds places in it, and observers.
 ///
 /// It reads as the [`Arrangement`] that it has. Ids of cells that an edit does not remove stay: of an edge that is split, the part at the
-/// min end keeps the id; of a face that is split, the part that has the corner of the [corner face](Arrangement::corner_face), else the
-/// larger one as the decomposition has it. Ids of removed cells are used again. [`Editor::compact`] and aggregated insertion give new ids
+/// min end keeps the id; of a face that is split, the larger part as the decomposition has it, and the other one is new, be it the
+/// [corner face](Arrangement::corner_face) or not. Ids of removed cells are used again. [`Editor::compact`] and aggregated insertion give new ids
 /// to all.
 ///
 /// A curve that was inserted stays stored when its edges are removed, until [`compact`](Self::compact): an editor that lives long, with
@@ -61,13 +63,13 @@ use std::ops::Deref;
 /// holes the face has.
 ///
 /// When an edge splits a face, the trapezoids of both parts are visited in step. That is linear in the number of trapezoids of the smaller
-/// part, and the holes and isolated vertices in it move in constant time each. If the smaller part has the corner of the corner face, it is linear in
-/// that of the larger one, because the corner face keeps its id. If the face has no holes and is not the corner face, nothing is visited. When an edge is
-/// removed between two faces, the CCBs and isolated vertices of one move: of the one that has fewer, but never of the corner face.
+/// part, and the holes and isolated vertices in it move in constant time each, however many the larger part has. If the face has no holes
+/// and is not the corner face, nothing is visited. When an edge is removed between two faces, the CCBs and isolated vertices of the one that
+/// has fewer move.
 ///
 /// To find a place takes expected O(log n) steps if curves came in random order, as they do after [`Editor::new`]. After an adverse
-/// order of edits it is O(sqrt(n) log n) for those that edit, amortized: when their searches were too long, all is built anew. Searches that only
-/// read cannot do that; [`Editor::compact`] does.
+/// order of edits it is O(sqrt(n) log n) for those that edit, amortized: when searches were too long, the next edit builds all anew. Searches that
+/// only read count as well, but cannot do that; [`Editor::compact`] does.
 ///
 /// # Examples
 /// ```
@@ -173,21 +175,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Expected O(log n) if curves came in random order. A face is named by an edge of its boundary, so holes cost nothing; on identified
     /// sides it may take a step for each vertex there from which no edge goes to the right.
     pub fn locate(&self, point: &G::Point) -> Cell {
-        let arrangement = &self.arrangement;
-        let place = Site::of_point(arrangement.topology(), arrangement.traits(), point);
-        match self.trapezoids.search(arrangement, &place, &Toward::Here).0 {
-            Found::Site(site) => Cell::Vertex(self.trapezoids.vertex(site)),
-            Found::Within(t) => {
-                let below = self.trapezoids.trapezoid(t).below;
-                if !below.is_none() {
-                    let rail = self.trapezoids.rail(below);
-                    if side(arrangement, &place, &arrangement.curves()[rail.curve as usize]).is_eq() {
-                        return Cell::Edge(rail.edge);
-                    }
-                }
-                Cell::Face(self.trapezoids.face_of(arrangement, t))
-            }
-        }
+        self.trapezoids.locate(&self.arrangement, point)
     }
 
     /// Does an operation of a user between the brackets that observers see.

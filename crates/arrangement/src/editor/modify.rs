@@ -47,8 +47,9 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// # Ok::<(), splitstar_arrangement::VertexNeeded>(())
     /// ```
     pub fn split_edge(&mut self, e: EdgeId, point: &G::Point) -> SplitParts {
-        assert!(self.arrangement.dcel().has_edge(e), "only an edge is split");
-        debug_assert_eq!(self.locate(point), Cell::Edge(e), "the point lies in the interior of the edge");
+        let is_edge = self.arrangement.dcel().has_edge(e);
+        assert!(is_edge, "edge {} does not exist: only an edge is split", e.0);
+        debug_assert_eq!(self.locate(point), Cell::Edge(e), "the point lies in the interior of edge {}", e.0);
         let location = self.arrangement.topology().point_location(self.arrangement.traits(), point);
         let rail = self.trapezoids.rail_of(e);
         self.operate(Operation::SplitEdge, |editor| {
@@ -74,13 +75,32 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     ///
     /// # References
     /// Thesis, section 2.3.2.
+    ///
+    /// # Examples
+    /// A crossing of two lines, with the same coordinates as numbers:
+    ///
+    /// ```
+    /// use exact::planar::Point2;
+    /// use splitstar_arrangement::overlay::Cell;
+    /// use splitstar_arrangement::{Arrangement, Editor, models::{Segment, SegmentTraits}, topology::BoundedPlane};
+    /// let mut editor = Editor::new(Arrangement::new(SegmentTraits, BoundedPlane));
+    /// for ends in [[[0, 0], [4, 4]], [[0, 4], [4, 0]]] {
+    ///     editor.insert_curve(&Segment::from_i64(ends).expect("the ends are different"));
+    /// }
+    /// let middle = Point2::from_i64([2, 2]);
+    /// let Cell::Vertex(v) = editor.locate(&middle) else { panic!("the segments cross there") };
+    /// editor.modify_vertex(v, middle.clone());
+    /// assert_eq!(editor.point(v), Some(&middle));
+    /// ```
     pub fn modify_vertex(&mut self, v: VertexId, point: G::Point) {
         let arrangement = &self.arrangement;
-        assert!(arrangement.dcel().has_vertex(v), "only a vertex is modified");
+        let is_vertex = arrangement.dcel().has_vertex(v);
+        assert!(is_vertex, "vertex {} does not exist: only a vertex is modified", v.0);
         let old = arrangement.point(v);
         debug_assert!(
             old.is_some_and(|old| arrangement.traits().is_same_point(old, &point)),
-            "the points are equal"
+            "the point is that of vertex {}",
+            v.0
         );
         if old.is_some() {
             self.operate(Operation::Modify, |editor| {
@@ -103,9 +123,21 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     ///
     /// # References
     /// Thesis, section 2.3.2.
+    ///
+    /// # Examples
+    /// ```
+    /// use splitstar_arrangement::{Arrangement, Editor, models::{Segment, SegmentTraits}, topology::BoundedPlane};
+    /// let segment = |ends| Segment::from_i64(ends).expect("the ends are different");
+    /// let mut editor = Editor::new(Arrangement::new(SegmentTraits, BoundedPlane));
+    /// let e = editor.insert_disjoint(segment([[0, 0], [4, 0]]));
+    /// editor.modify_edge(e, segment([[-1, 0], [9, 0]]));
+    /// assert_eq!(*editor.curve_of(e), segment([[-1, 0], [9, 0]]));
+    /// assert_eq!(editor.make_edge_curve(e), segment([[0, 0], [4, 0]]), "its vertices are where they were");
+    /// ```
     pub fn modify_edge(&mut self, e: EdgeId, curve: G::UMonotoneCurve) {
-        assert!(self.arrangement.dcel().has_edge(e), "only an edge is modified");
-        debug_assert!(self.is_covered(e, &curve), "the curve covers the edge");
+        let is_edge = self.arrangement.dcel().has_edge(e);
+        assert!(is_edge, "edge {} does not exist: only an edge is modified", e.0);
+        debug_assert!(self.is_covered(e, &curve), "the curve covers edge {}", e.0);
         self.operate(Operation::Modify, |editor| {
             let curve = editor.arrangement.apply(Edit::AddCurve { curve }, &mut editor.observers).curve();
             editor.set_support(e, curve);

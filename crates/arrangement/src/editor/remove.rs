@@ -9,8 +9,8 @@ use dcel::{EdgeId, EndFate, Removed, VertexId};
 impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Removes an edge. A vertex that is left without edges goes, too.
     ///
-    /// If there were two faces beside the edge, they become one, which has the id of the [corner face] if that is one of the two, else
-    /// of the face that had more CCBs and isolated vertices. The kinds of CCBs in the answer are settled when it is given.
+    /// If there were two faces beside the edge, they become one, which has the id of the face that had more CCBs and isolated vertices. If
+    /// the other one was the [corner face], it is the corner face then. The kinds of CCBs in the answer are settled when it is given.
     ///
     /// Degenerate: a vertex that stands for a side stays. A vertex of which two edges are left that are one curve stays, too: see
     /// [`Editor::merge_edges`]. An artificial vertex that is left with one edge or none becomes an ordinary
@@ -58,8 +58,82 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// # Complexity
     /// As of [`Editor::remove_edge`].
     pub fn remove_edge_with(&mut self, e: EdgeId, fates: [EndFate; 2]) -> Removed {
-        assert!(self.arrangement.dcel().has_edge(e), "only an edge is removed");
+        let is_edge = self.arrangement.dcel().has_edge(e);
+        assert!(is_edge, "edge {} does not exist: only an edge is removed", e.0);
         self.operate(Operation::RemoveEdge, |editor| editor.take_out_edge(e, fates))
+    }
+
+    /// Removes several edges, as those of a curve that [`Editor::insert_curve`] gave, and vertices that are of no use without them. Gives
+    /// the edges that became one, in the order in which they did.
+    ///
+    /// A list of edges is good until the next edit: a curve that comes later cuts edges, and ids are used again.
+    /// [`ArrangementWithHistory`](crate::history::ArrangementWithHistory) keeps such lists.
+    ///
+    /// What becomes of the vertices at which a removed edge ended; all other ones stay as they are:
+    ///
+    /// - One that is left without edges goes, but one that stands for a side stays.
+    /// - One that is left with two edges of one support, of which one ends and the other begins there, goes, and the edges become one: the
+    ///   curve passes there, and was only divided. That is what
+    ///   [`ArrangementWithHistory`](crate::history::ArrangementWithHistory) does if nobody needs the vertex. But nobody is asked here: also a
+    ///   vertex goes that was made by [`Editor::insert_point`], and one at which another curve begins or ends that overlaps that one.
+    /// - All others stay. So does one with two edges on different supports, even if [`UMonotoneTraits::merge`] would join these: a curve may end
+    ///   there. And so does one on an identified side, where a curve was cut; if it became an ordinary vertex, it stays that.
+    ///
+    /// An edge goes with all curves that run along it. Nothing is known of those that were inserted besides the one that it is stored with.
+    ///
+    /// # Panics
+    /// If there is no such edge, or one comes twice. Then nothing is changed.
+    ///
+    /// # Complexity
+    /// For each edge, as of [`Editor::remove_edge`], and for each that is merged, as of [`Editor::merge_edges`]; and O(n log n) for n edges.
+    ///
+    /// # References
+    /// Thesis, section 2.3.2.
+    ///
+    /// # Examples
+    /// ```
+    /// use splitstar_arrangement::{Arrangement, Editor, models::{Segment, SegmentTraits}, topology::BoundedPlane};
+    /// let mut editor = Editor::new(Arrangement::new(SegmentTraits, BoundedPlane));
+    /// let segment = |ends| Segment::from_i64(ends).expect("the ends are different");
+    /// let first = editor.insert_curve(&segment([[0, 0], [4, 4]]));
+    /// let second = editor.insert_curve(&segment([[0, 4], [4, 0]]));
+    /// assert_eq!(editor.counts().edges, 4);
+    /// let merged = editor.remove_edges(&second);
+    /// assert_eq!((editor.counts().vertices, editor.counts().edges), (2, 1), "the crossing went");
+    /// assert_eq!(merged[0].kept, first[0]);
+    /// ```
+    pub fn remove_edges(&mut self, edges: &[EdgeId]) -> Vec<MergedEdges> {
+        let dcel = self.arrangement.dcel();
+        for e in edges {
+            assert!(dcel.has_edge(*e), "edge {} does not exist: only an edge is removed", e.0);
+        }
+        let mut sorted = edges.to_vec();
+        sorted.sort_unstable();
+        for pair in sorted.windows(2) {
+            assert!(pair[0] != pair[1], "edge {} comes twice: an edge is removed once", pair[0].0);
+        }
+        let mut touched: Vec<VertexId> = edges.iter().flat_map(|&e| dcel.ends(e)).collect();
+        touched.sort_unstable();
+        touched.dedup();
+        self.operate(Operation::RemoveCurve, |editor| {
+            for &e in edges {
+                editor.take_out_edge(e, [EndFate::Remove; 2]);
+            }
+            touched.into_iter().filter_map(|v| editor.merge_if_passed(v)).collect()
+        })
+    }
+
+    /// Merges the edges at a vertex, if it is still there and one curve passes it and has both.
+    fn merge_if_passed(&mut self, v: VertexId) -> Option<MergedEdges> {
+        let dcel = self.arrangement.dcel();
+        if !dcel.has_vertex(v) {
+            return None;
+        }
+        let mut supports = dcel.around(v).map(|h| self.arrangement.support(h.edge_id()));
+        let are_one =
+            matches!((supports.next(), supports.next(), supports.next()), (Some(a), Some(b), None) if a == b);
+        drop(supports);
+        if are_one { self.merge_redundant(v).ok() } else { None }
     }
 
     /// Removes a vertex that no edge needs: one that is isolated, or one where two edges meet that are one curve. Those become one, and
@@ -73,6 +147,20 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     ///
     /// # Complexity
     /// Constant for an isolated vertex; else as of [`Editor::merge_edges`].
+    ///
+    /// # Examples
+    /// ```
+    /// use exact::planar::Point2;
+    /// use splitstar_arrangement::{Arrangement, Editor, models::{Segment, SegmentTraits}, topology::BoundedPlane};
+    /// let mut editor = Editor::new(Arrangement::new(SegmentTraits, BoundedPlane));
+    /// editor.insert_curve(&Segment::from_i64([[0, 0], [4, 0]]).expect("the ends are different"));
+    /// let [alone, middle, end] = [[1, 1], [2, 0], [4, 0]].map(|at| editor.insert_point(&Point2::from_i64(at)));
+    /// assert_eq!(editor.remove_vertex(alone), Ok(None));
+    /// let merged = editor.remove_vertex(middle)?.expect("two edges meet there");
+    /// assert_eq!(editor.dcel().edges().collect::<Vec<_>>(), [merged.kept]);
+    /// assert!(editor.remove_vertex(end).is_err(), "the edge needs it");
+    /// # Ok::<(), splitstar_arrangement::VertexNeeded>(())
+    /// ```
     pub fn remove_vertex(&mut self, v: VertexId) -> Result<Option<MergedEdges>, VertexNeeded> {
         self.check_point(v)?;
         if self.arrangement.dcel().outgoing(v).is_none() {
@@ -111,7 +199,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     }
 
     fn check_point(&self, v: VertexId) -> Result<(), VertexNeeded> {
-        assert!(self.arrangement.dcel().has_vertex(v), "only a vertex is removed");
+        let is_vertex = self.arrangement.dcel().has_vertex(v);
+        assert!(is_vertex, "vertex {} does not exist: only a vertex is removed", v.0);
         if self.arrangement.is_at_infinity(v) {
             return Err(VertexNeeded { vertex: v, reason: VertexNeed::Side });
         }

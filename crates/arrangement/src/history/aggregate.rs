@@ -21,7 +21,49 @@ impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> ArrangementWithHis
     /// # Complexity
     /// That of [`sweep`], over old edges and new curves, and linear in the number of pairs of an edge and an input on it; and that of
     /// [`Editor::new`](crate::Editor::new).
-    pub fn insert_all<'a>(&mut self, curves: impl IntoIterator<Item = &'a G::Curve>) -> Vec<InputId>
+    pub fn insert_curves<'a>(&mut self, curves: impl IntoIterator<Item = &'a G::Curve>) -> Vec<InputId>
+    where
+        G::Curve: 'a,
+    {
+        self.insert_curves_and_points(curves, [])
+    }
+
+    /// Inserts points by one sweep, and gives their ids in the order of the points: see [`Self::insert_curves`].
+    ///
+    /// # Preconditions
+    /// Those of [`Editor`](crate::Editor) on points.
+    ///
+    /// # Complexity
+    /// As of [`Self::insert_curves`].
+    pub fn insert_points(&mut self, points: impl IntoIterator<Item = G::Point>) -> Vec<InputId> {
+        self.insert_curves_and_points([], points)
+    }
+
+    /// Inserts general curves and points by one sweep, and gives their ids, those of curves first: see [`Self::insert_curves`].
+    ///
+    /// # Preconditions
+    /// Those of [`Editor`](crate::Editor) on points.
+    ///
+    /// # Complexity
+    /// As of [`Self::insert_curves`].
+    ///
+    /// # Examples
+    /// ```
+    /// use exact::planar::Point2;
+    /// use splitstar_arrangement::history::{ArrangementWithHistory, Input};
+    /// use splitstar_arrangement::{models::{Segment, SegmentTraits}, topology::BoundedPlane};
+    /// let segment = Segment::from_i64([[0, 0], [4, 0]]).expect("the ends are different");
+    /// let mut arrangement = ArrangementWithHistory::new(SegmentTraits, BoundedPlane);
+    /// let ids = arrangement.insert_curves_and_points([&segment], [Point2::from_i64([2, 0])]);
+    /// assert_eq!(arrangement.edges_of(ids[0]).count(), 2);
+    /// assert_eq!(arrangement.remove(ids[1]), Some(Input::Point(Point2::from_i64([2, 0]))));
+    /// assert_eq!(arrangement.edges_of(ids[0]).count(), 1);
+    /// ```
+    pub fn insert_curves_and_points<'a>(
+        &mut self,
+        curves: impl IntoIterator<Item = &'a G::Curve>,
+        points: impl IntoIterator<Item = G::Point>,
+    ) -> Vec<InputId>
     where
         G::Curve: 'a,
     {
@@ -37,6 +79,12 @@ impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> ArrangementWithHis
                 owners.push(id);
                 owned.pieces.extend([piece]);
             }
+            ids.push(id);
+        }
+        for point in points {
+            let id = self.put(Input::Point(point.clone()));
+            owned.points.push(id);
+            owned.pieces.push_point(point);
             ids.push(id);
         }
         let (parts, history) = place_all(self.arrangement(), self.history(), owned);

@@ -155,7 +155,7 @@ impl<G: ArrangementTraits, T: Topology<G>> ArrangementWithHistory<G, T> {
         G::Curve: 'a,
     {
         let mut arrangement = Self::new(traits, topology);
-        arrangement.insert_all(curves);
+        arrangement.insert_curves(curves);
         arrangement
     }
 }

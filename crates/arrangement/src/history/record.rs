@@ -9,6 +9,9 @@ use crate::topology::Topology;
 use crate::traits::{BasicTraits, CurveEnd};
 use dcel::{EdgeId, HalfedgeId, VertexId};
 
+/// After so many edges of a vertex it is asked whether a piece ends there.
+const MANY_EDGES: usize = 4;
+
 /// A piece of an input: a u-monotone curve, or a point.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Piece {
@@ -242,7 +245,7 @@ impl History {
     /// The edges along which a piece runs, from its min to its max end.
     ///
     /// # Complexity
-    /// Linear in the degrees of the vertices on the way.
+    /// Linear in the degrees of the vertices on the way. That at which the piece ends takes constant time.
     pub(super) fn edges_of_piece<'a, G: BasicTraits, T: Topology<G>>(
         &'a self,
         arrangement: &'a Arrangement<G, T>,
@@ -255,18 +258,33 @@ impl History {
                 return None;
             }
             let mut h = dcel.next(start);
-            loop {
+            for step in 0.. {
                 let next = h.edge_id();
                 // A closed curve comes back to where it began.
                 if h.is_even() && Some(next) != first && self.has(next, piece) {
                     return Some(next);
                 }
-                if h == start.twin() {
+                // That is asked only where it may save something.
+                let is_many = step == MANY_EDGES && self.ends_at(arrangement, piece, dcel.target(start));
+                if is_many || h == start.twin() {
                     return None;
                 }
                 h = dcel.next(h.twin());
             }
+            None
         })
+    }
+
+    /// Tells whether a piece has its max end at a vertex that is a point.
+    fn ends_at<G: BasicTraits, T: Topology<G>>(
+        &self,
+        arrangement: &Arrangement<G, T>,
+        piece: u32,
+        v: VertexId,
+    ) -> bool {
+        let (traits, curve) = (arrangement.traits(), self.curve(piece));
+        let end = curve.and_then(|curve| traits.end_point(arrangement.curve(curve), CurveEnd::Max));
+        end.zip(arrangement.point(v)).is_some_and(|(end, point)| traits.is_same_point(end, point))
     }
 
     /// Tells why there is a vertex from which these two halfedges leave.

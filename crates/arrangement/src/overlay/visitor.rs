@@ -131,7 +131,10 @@ impl<'s, 'a, G: BasicTraits, T: Topology<G>> OverlayVisitor<'s, 'a, G, T> {
             Cell::Edge(e) if h.is_even() => operands[operand].dcel().face(e.halfedge()),
             Cell::Edge(e) => operands[operand].dcel().face(e.halfedge().twin()),
             Cell::Face(f) => f,
-            Cell::Vertex(v) => operands[operand].dcel().isolated_face(v).unwrap_or(FaceId(0)),
+            Cell::Vertex(v) => {
+                let face = operands[operand].dcel().isolated_face(v);
+                face.expect("a vertex without edges has none in an operand")
+            }
         };
         for f in dcel.faces() {
             let boundary = dcel.face_ccbs(f).next().map(|ccb| dcel.ccb_halfedge(ccb));

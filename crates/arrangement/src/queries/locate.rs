@@ -2,29 +2,32 @@
 
 use crate::arrangement::Arrangement;
 use crate::overlay::Cell;
-use crate::sweep::{Around, CellNumbers, Event, SweepInput, SweepVisitor, sweep};
+use crate::sweep::{Around, CellNumbers, Event, Progress, SweepInput, SweepVisitor, Watched, sweep};
 use crate::topology::Topology;
 use crate::traits::{Along, BasicTraits, UMonotoneTraits};
 use dcel::{EdgeId, FaceId};
 use std::ops::ControlFlow;
 
-/// Tells for each of many points in which cell of an arrangement it lies, in the order of the points.
+/// Tells by one sweep for each of many points in which cell of an arrangement it lies, in the order of the points.
 ///
 /// # Preconditions
 /// Where sides of the parameter space are identified, points have the coordinates by which the traits know them: on a torus, those
 /// that [`TorusSegmentTraits::point`](crate::models::TorusSegmentTraits::point) gives. The answer for another point is wrong.
 ///
+/// # Panics
+/// In debug builds, if a point has other coordinates: [`BasicTraits::is_canonical`].
+///
 /// ```
 /// use exact::planar::Point2;
 /// use splitstar_arrangement::overlay::Cell;
-/// use splitstar_arrangement::{Arrangement, locate_all, models::TorusSegmentTraits, topology::FlatTorus};
+/// use splitstar_arrangement::{Arrangement, locate_by_sweep, models::TorusSegmentTraits, topology::FlatTorus};
 ///
 /// let traits = TorusSegmentTraits::new([4.into(), 4.into()])?;
 /// let path = traits.closed_path(&Point2::from_i64([1, 1]), [1, 0])?;
 /// let arrangement = Arrangement::of_curves(traits.clone(), FlatTorus, [&path]);
 /// // (6, 5) is (2, 1), which lies on the path.
 /// let point = traits.point(&Point2::from_i64([6, 5]));
-/// assert!(matches!(locate_all(&arrangement, &[point])[..], [Cell::Edge(_)]));
+/// assert!(matches!(locate_by_sweep(&arrangement, &[point])[..], [Cell::Edge(_)]));
 /// # Ok::<(), splitstar_arrangement::models::TorusError>(())
 /// ```
 ///
@@ -33,15 +36,30 @@ use std::ops::ControlFlow;
 ///
 /// # References
 /// Thesis, section 2.4.1.
-pub fn locate_all<G: UMonotoneTraits, T: Topology<G>>(
+pub fn locate_by_sweep<G: UMonotoneTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     points: &[G::Point],
 ) -> Vec<Cell> {
+    locate_by_sweep_with(arrangement, points, |_| ControlFlow::Continue(())).expect("nobody stops the sweep")
+}
+
+/// Does what [`locate_by_sweep`] does; now and then `watch` is told how far the sweep has come, and may stop it. Then there is no answer.
+///
+/// # Preconditions
+/// Those of [`locate_by_sweep`].
+///
+/// # Complexity
+/// That of [`locate_by_sweep`]. `watch` is called once in about a thousand events.
+pub fn locate_by_sweep_with<G: UMonotoneTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    points: &[G::Point],
+    watch: impl FnMut(Progress) -> ControlFlow<()>,
+) -> Option<Vec<Cell>> {
     let (traits, topology) = (arrangement.traits(), arrangement.topology());
     let (input, numbers) = SweepInput::of_arrangement(arrangement, points);
     let first_query = numbers.vertices.len();
     let face = arrangement.corner_face();
-    let mut locator = Locator {
+    let locator = Locator {
         arrangement,
         input: &input,
         numbers,
@@ -49,8 +67,9 @@ pub fn locate_all<G: UMonotoneTraits, T: Topology<G>>(
         cells: vec![Cell::Face(face); points.len()],
         bottom: face,
     };
-    let _ = sweep(traits, topology, &input, &mut locator);
-    locator.cells
+    let mut watched = Watched::new(locator, input.site_count(), watch);
+    let swept = sweep(traits, topology, &input, &mut watched);
+    swept.is_continue().then(|| watched.into_inner().cells)
 }
 
 struct Locator<'a, 'i, G: BasicTraits, T> {

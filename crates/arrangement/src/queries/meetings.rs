@@ -28,7 +28,7 @@ pub enum CommonEnds {
 /// surface with identified sides a point is where all its places are.
 ///
 /// # Preconditions
-/// Those of [`locate_all`](super::locate_all) on points.
+/// Those of [`locate_by_sweep`](super::locate_by_sweep) on points.
 ///
 /// ```
 /// use splitstar_arrangement::models::{Segment, SegmentTraits};

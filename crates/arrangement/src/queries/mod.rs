@@ -12,6 +12,6 @@ mod meetings;
 mod owners;
 mod subcurves;
 
-pub use locate::locate_all;
+pub use locate::{locate_by_sweep, locate_by_sweep_with};
 pub use meetings::{CommonEnds, do_any_meet, intersections};
 pub use subcurves::subcurves;

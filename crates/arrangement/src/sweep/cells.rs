@@ -98,13 +98,16 @@ impl<'a, G: UMonotoneTraits> SweepInput<'a, G> {
         arrangement: &'a Arrangement<G, T>,
         group: u32,
     ) -> CellNumbers {
+        let dcel = arrangement.dcel();
+        self.reserve(dcel.vertex_count(), dcel.edge_count());
         Pusher {
             arrangement,
             group,
             numbers: CellNumbers {
                 first_site: self.site_count(),
                 first_curve: self.curve_count(),
-                ..CellNumbers::default()
+                vertices: Vec::with_capacity(dcel.vertex_count()),
+                edges: Vec::with_capacity(dcel.edge_count()),
             },
             sites_of: vec![[u32::MAX; 2]; arrangement.dcel().edge_bound()],
             curve_of: vec![u32::MAX; arrangement.dcel().edge_bound()],

@@ -62,6 +62,7 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
     ) {
         let first_curve = self.curves.len();
         for curve in curves {
+            debug_assert!(traits.is_own_curve(curve), "the curve is one of these traits");
             let min = self.push_site(Site::of_end(topology, traits, curve, CurveEnd::Min));
             self.push_curve(InputCurve { curve, ends: [min, NIL], group: NO_GROUP, next_end: NIL });
         }
@@ -83,6 +84,14 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
             first_end: Vec::new(),
             mirrored_from: Vec::new(),
         }
+    }
+
+    /// Makes room for sites and curves.
+    pub(super) fn reserve(&mut self, sites: usize, curves: usize) {
+        self.sites.reserve(sites);
+        self.first_start.reserve(sites);
+        self.first_end.reserve(sites);
+        self.curves.reserve(curves);
     }
 
     /// The number of curves.

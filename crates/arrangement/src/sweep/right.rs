@@ -3,7 +3,7 @@
 use super::engine::{Buffers, Engine};
 use super::status::NIL;
 use super::visitor::{Link, Strand};
-use crate::topology::{Site, Topology};
+use crate::topology::{Site, Topology, ends_on_side};
 use crate::traits::{Multiplicity, UMonotoneTraits};
 use std::cmp::Ordering;
 use std::ops::Range;
@@ -87,9 +87,12 @@ impl<G: UMonotoneTraits, T: Topology<G>, Tag: Copy + Default> Engine<'_, '_, G, 
     fn note_end_of_overlap(&mut self, a: u32, b: u32, site: &Site<'_, G>) {
         let [curve_a, curve_b] = [a, b].map(|curve| self.ways[curve as usize].curve);
         let is_ahead = |point: &G::Point| {
-            // On a side curves end, and that is a site already.
+            // On a side curves end, and that is a site already. The point of a contracted side is not told apart by where it is.
             let meeting = Site::of_point(self.topology, self.traits, point);
             meeting.location.is_interior()
+                && ![curve_a, curve_b]
+                    .into_iter()
+                    .any(|curve| ends_on_side(self.topology, self.traits, curve, point))
                 && self.topology.compare_sites(self.traits, &meeting, site) == Ordering::Greater
                 && [a, b].into_iter().all(|curve| {
                     let end = &self.stops[self.ways[curve as usize].end as usize].site;

@@ -13,6 +13,7 @@ mod unbounded_plane;
 
 pub use bounded_plane::BoundedPlane;
 pub use flat_torus::FlatTorus;
+pub(crate) use site::ends_on_side;
 pub use site::{Site, SiteAt};
 pub use unbounded_plane::UnboundedPlane;
 
@@ -50,6 +51,11 @@ pub trait Topology<G: BasicTraits>: Clone + Debug + Send + Sync {
     /// That is the left side, from bottom to top; then by u, and for one u the bottom side, the interior by v, and the top side;
     /// then the right side, from bottom to top. Ends without points are placed by the curves near them, and are equal if these
     /// have a piece in common.
+    ///
+    /// Law: between the left and the right side, a site may be said to be on the bottom or on the top although it is not. Then the place
+    /// there that has the same u is meant, and compared with the other site, wherever that is or is said to be:
+    /// 1. On every surface, a point or end of the bottom may be said to be on the top, and one of the top on the bottom.
+    /// 2. Where bottom and top are identified, a point of the interior may be said to be on either.
     fn compare_sites(&self, traits: &G, a: &Site<'_, G>, b: &Site<'_, G>) -> Ordering;
 
     /// Tells which vertex without a point stands for each side, left, right, bottom and top; `None` for a side whose points are

@@ -45,7 +45,11 @@ impl<'a, G: BasicTraits> Site<'a, G> {
     }
 
     /// A point, wherever it is.
+    ///
+    /// # Panics
+    /// In debug builds, if the traits do not know the point by its coordinates: [`BasicTraits::is_canonical`].
     pub fn of_point<T: Topology<G>>(topology: &T, traits: &G, point: &'a G::Point) -> Self {
+        debug_assert!(traits.is_canonical(point), "the traits know {point:?} by other coordinates");
         Self { location: topology.point_location(traits, point), at: SiteAt::Point(point) }
     }
 
@@ -74,4 +78,15 @@ impl<'a, G: BasicTraits> Site<'a, G> {
             SiteAt::End(..) => None,
         }
     }
+}
+
+/// Tells whether a curve ends on a side, in a point that the traits have for that end.
+pub(crate) fn ends_on_side<G: BasicTraits, T: Topology<G>>(
+    topology: &T,
+    traits: &G,
+    curve: &G::UMonotoneCurve,
+    point: &G::Point,
+) -> bool {
+    !topology.end_location(traits, curve, CurveEnd::Max).is_interior()
+        && traits.end_point(curve, CurveEnd::Max).is_some_and(|end| traits.is_same_point(end, point))
 }

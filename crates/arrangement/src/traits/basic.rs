@@ -59,6 +59,59 @@ pub trait BasicTraits: Send + Sync {
         0
     }
 
+    /// Gives a range of numbers in which a number for the u-coordinate lies that orders points: the least one, and how much may be added to
+    /// it; `u32::MAX` if nothing is known.
+    ///
+    /// Law: if the ranges of two points in the interior of the parameter space, of both of which something is known, have nothing in common,
+    /// they are ordered as the points are by [`BasicTraits::compare_uv`]. Searches ask it first. A model may leave it out.
+    #[inline]
+    fn order_range(&self, p: &Self::Point) -> (u64, u32) {
+        let _ = p;
+        (0, u32::MAX)
+    }
+
+    /// Gives something small by which a side of a curve may be told without looking at the curve; zeros if there is nothing.
+    ///
+    /// What it is, only [`BasicTraits::compare_v_at_u_by_key`] knows. A model may leave both out.
+    #[inline]
+    fn side_key(&self, curve: &Self::UMonotoneCurve) -> [u32; 3] {
+        let _ = curve;
+        [0; 3]
+    }
+
+    /// Compares the v-coordinate of `p` with that of a curve of which the [side key](BasicTraits::side_key) is given; `None` if that does not
+    /// tell.
+    ///
+    /// Law: for a point in the interior of the parameter space, an answer is that of [`BasicTraits::compare_v_at_u`].
+    #[inline]
+    fn compare_v_at_u_by_key(&self, p: &Self::Point, key: &[u32; 3]) -> Option<Ordering> {
+        let _ = (p, key);
+        None
+    }
+
+    /// Tells whether a point has the coordinates by which these traits know it.
+    ///
+    /// It is asked about points that come from outside: where sides of the parameter space are identified, one point of the surface
+    /// can be written in several ways, and predicates take one of them. On a torus that is the one with coordinates that are at least
+    /// zero and below the periods. A model of which every point is written in one way leaves it out: the provided version says yes.
+    ///
+    /// Law: the end points of curves, and the points that [`UMonotoneTraits::intersect`](super::UMonotoneTraits::intersect) gives, are.
+    #[inline]
+    fn is_canonical(&self, p: &Self::Point) -> bool {
+        let _ = p;
+        true
+    }
+
+    /// Tells whether a curve is one of these traits, if traits of one type with other parameters make curves of the same type: those of
+    /// another torus, with other periods. The provided version says yes.
+    ///
+    /// Law: what [`UMonotoneTraits`](super::UMonotoneTraits) makes of such curves is.
+    #[inline]
+    fn is_own_curve(&self, curve: &Self::UMonotoneCurve) -> bool {
+        let _ = curve;
+        true
+    }
+
     /// Gives an end of a curve; `None` if that end is on an open side, where there is no point.
     ///
     /// Law: the point of `Min` is less than that of `Max`, unless one of them lies on an identified or contracted side.

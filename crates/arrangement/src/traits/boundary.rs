@@ -106,7 +106,7 @@ pub trait IdentifiedBottomTopTraits: BoundaryTraits {
     /// Tells whether a point lies on the identification.
     fn is_on_bottom_top(&self, p: &Self::Point) -> bool;
 
-    /// Compares the u-coordinates of two points on the identification, or of one on it and one in the interior.
+    /// Compares the u-coordinates of two points, each of them on the identification or in the interior.
     ///
     /// # References
     /// Thesis, section 2.5, "Compare x on identification".

@@ -9,12 +9,14 @@
 //! | [`ArrangementTraits`] | general curves, cut into u-monotone pieces |
 //! | [`DirectionalTraits`] | source and target |
 //! | [`ApproxTraits`] | floats, for pictures |
+//! | [`LandmarkTraits`] | points near floats, from where to start |
 //! | [`BoundedTraits`] | nothing: a promise that curves have two end points in the interior |
 //! | [`ClosedLeftRightTraits`], [`ClosedBottomTopTraits`] | nothing: a promise that points on closed sides are points like others |
 //! | [`BoundaryTraits`] | ends on sides of the parameter space; refined by kind and axis of the side |
 
 mod basic;
 mod boundary;
+mod landmark;
 mod location;
 mod meeting;
 
@@ -24,6 +26,7 @@ pub use boundary::{
     ContractedLeftRightTraits, IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, NearBottomTopTraits,
     NearLeftRightTraits, OpenBottomTopTraits, OpenLeftRightTraits,
 };
+pub use landmark::LandmarkTraits;
 pub use location::{Along, CurveEnd, Location, SideKind, Sides};
 pub use meeting::{
     ApproxTraits, ArrangementTraits, DirectionalTraits, Intersection, Meeting, Multiplicity, Piece,

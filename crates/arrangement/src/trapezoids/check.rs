@@ -2,6 +2,7 @@
 
 use super::faces::Visits;
 use super::search::side;
+use super::structure::Branch;
 use super::{Found, RailId, Side, SiteId, SiteKind, Toward, TrapezoidId, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::{Site, Topology};
@@ -73,7 +74,7 @@ impl<G: BasicTraits> Trapezoids<G> {
         };
         let trapezoid = self.trapezoid(t);
         let fault = |what: &str| format!("{t:?} found at a place {:?}: {what}", place.location);
-        if self.free_trapezoids.contains(&t) {
+        if self.trapezoid(t).became != Branch::NONE {
             faults.push(fault("it is no more"));
         }
         if !trapezoid.left.is_none() {
@@ -160,8 +161,7 @@ impl<G: BasicTraits> Trapezoids<G> {
     }
 
     fn all_trapezoids(&self) -> impl Iterator<Item = TrapezoidId> + '_ {
-        let free: BTreeSet<TrapezoidId> = self.free_trapezoids.iter().copied().collect();
-        (0..self.trapezoids.len()).map(TrapezoidId::new).filter(move |t| !free.contains(t))
+        (0..self.trapezoids.len()).map(TrapezoidId::new).filter(|&t| self.trapezoid(t).became == Branch::NONE)
     }
 
     /// The trapezoids at a site know it, and a search finds it.

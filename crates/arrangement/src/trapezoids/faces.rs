@@ -124,7 +124,8 @@ impl<G: BasicTraits> Trapezoids<G> {
     ///
     /// # Complexity
     /// Linear in their number.
-    pub(crate) fn part<T: Topology<G>>(
+    #[cfg(test)]
+    pub(super) fn part<T: Topology<G>>(
         &mut self,
         arrangement: &Arrangement<G, T>,
         start: TrapezoidId,

@@ -1,7 +1,8 @@
 //! Vertices and edges come.
 
 use super::search::side;
-use super::{Node, Rail, RailId, Side, SiteId, SiteKind, SiteRecord, Trapezoid, TrapezoidId, Trapezoids};
+use super::structure::{Branch, Node};
+use super::{Rail, RailId, Side, SiteId, SiteKind, SiteRecord, Trapezoid, TrapezoidId, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::Topology;
 use crate::traits::{BasicTraits, CurveEnd, Location};
@@ -37,7 +38,7 @@ impl<G: BasicTraits> Trapezoids<G> {
         if let NewSite::End(..) = at {
             self.add_end(arrangement, site);
         }
-        let [l, r] = self.split_by_wall(t, site);
+        let [l, r] = self.split_by_wall(arrangement, t, site);
         let record = &mut self.sites[site.index()];
         record.left = [l; 2];
         record.right = [r; 2];
@@ -58,19 +59,14 @@ impl<G: BasicTraits> Trapezoids<G> {
         let traps = [Side::Below, Side::Above].map(|side| self.beside(arrangement, rail, side, site));
         debug_assert_eq!(self.trapezoid(traps[0]).above, rail, "the site is on the rail");
         debug_assert_eq!(self.trapezoid(traps[1]).below, rail, "the site is on the rail");
-        let [[bl, br], [al, ar]] = traps.map(|t| self.split_by_wall(t, site));
+        let [[bl, br], [al, ar]] = traps.map(|t| self.split_by_wall(arrangement, t, site));
         let record = &mut self.sites[site.index()];
         record.left = [bl, al];
         record.right = [br, ar];
         (site, self.split_rail(rail, site))
     }
 
-    fn new_site<T: Topology<G>>(
-        &mut self,
-        arrangement: &Arrangement<G, T>,
-        at: NewSite,
-        location: Location,
-    ) -> SiteId {
+    fn new_site<T: Topology<G>>(&mut self, _: &Arrangement<G, T>, at: NewSite, location: Location) -> SiteId {
         let site = SiteId::new(self.sites.len());
         let none = [TrapezoidId::NONE; 2];
         let (vertex, at, kind) = match at {
@@ -84,22 +80,30 @@ impl<G: BasicTraits> Trapezoids<G> {
             }
             next = std::mem::replace(&mut self.first_site[vertex.index()], site);
         }
-        let point = arrangement.point(vertex).filter(|_| location.is_interior());
-        let key = point.map_or(0, |point| arrangement.traits().order_key(point));
-        let record = SiteRecord { left: none, right: none, at, vertex, kind, location, key, next };
+        let record = SiteRecord { left: none, right: none, at, vertex, kind, location, next };
         self.sites.push(record);
         site
     }
 
     /// Cuts a trapezoid by the wall of a site in it, or by one of the walls of a site on its boundary.
-    fn split_by_wall(&mut self, t: TrapezoidId, site: SiteId) -> [TrapezoidId; 2] {
+    fn split_by_wall<T: Topology<G>>(
+        &mut self,
+        arrangement: &Arrangement<G, T>,
+        t: TrapezoidId,
+        site: SiteId,
+    ) -> [TrapezoidId; 2] {
         let old = self.trapezoids[t.index()];
+        let l = self.new_trapezoid(Trapezoid { right: site, ..old });
         let r = self.new_trapezoid(Trapezoid { left: site, ..old });
-        self.trapezoids[t.index()].right = site;
+        self.replace_right_of(old.left, t, l);
         self.replace_left_of(old.right, t, r);
-        let children = [self.new_leaf(t), self.new_leaf(r)];
-        self.nodes[old.leaf.index()] = self.split_at(site, children);
-        [t, r]
+        for side in [Side::Below, Side::Above] {
+            self.note_first(l, side, old.left);
+        }
+        let node = self.split_at(arrangement, site, [l, r].map(Branch::leaf));
+        let node = self.structure.add_node(node);
+        self.end_trapezoid(t, node);
+        [l, r]
     }
 
     /// The trapezoid `old` to the left of a site is `new` now.
@@ -137,6 +141,7 @@ impl<G: BasicTraits> Trapezoids<G> {
         let rail = self.new_rail(Rail { curve, ends, ..Rail::FREE });
         let [a, b] = ends;
         let the_curve = &arrangement.curves()[curve as usize];
+        let key = arrangement.traits().side_key(the_curve);
         let mut t = first;
         let mut old = self.trapezoids[t.index()];
         let mut parts = [Side::Below, Side::Above].map(|part| self.new_part(&old, part, rail, a));
@@ -148,8 +153,8 @@ impl<G: BasicTraits> Trapezoids<G> {
             }
         }
         loop {
-            let children = parts.map(|part| self.trapezoids[part.index()].leaf);
-            self.nodes[old.leaf.index()] = Node::Curve { curve, children };
+            let node = self.structure.add_node(Node::curve(curve, key, parts.map(Branch::leaf)));
+            self.end_trapezoid(t, node);
             let r = old.right;
             if r == b || r.is_none() {
                 debug_assert!(r == b, "a rail ends at a site");
@@ -163,7 +168,6 @@ impl<G: BasicTraits> Trapezoids<G> {
             let i = part as usize;
             self.trapezoids[parts[i].index()].right = r;
             self.replace_left_of(r, t, parts[i]);
-            self.free_trapezoid(t);
             t = next;
             old = self.trapezoids[t.index()];
             parts[i] = self.new_part(&old, part, rail, r);
@@ -177,7 +181,6 @@ impl<G: BasicTraits> Trapezoids<G> {
                 *left = part;
             }
         }
-        self.free_trapezoid(t);
         NewRail { rail, first: first_parts, last: parts }
     }
 
@@ -186,7 +189,6 @@ impl<G: BasicTraits> Trapezoids<G> {
         let mut trapezoid = Trapezoid { left, right: SiteId::NONE, ..*old };
         *trapezoid.rail_mut(part.opposite()) = rail;
         let t = self.new_trapezoid(trapezoid);
-        self.new_leaf(t);
         self.note_first(t, part, left);
         t
     }

@@ -7,7 +7,9 @@
 //! | file | role |
 //! |---|---|
 //! | `mod` | records |
+//! | `structure` | the search structure |
 //! | `search` | the trapezoid of a place; the side of a curve on which a place lies |
+//! | `locate` | the cell of a point |
 //! | `insert`, `remove` | vertices and edges come and go |
 //! | `rails` | edges are split and merged |
 //! | `faces` | the face of a trapezoid, and trapezoids that are next to one another |
@@ -20,10 +22,11 @@
 //! a side. So walls begin at *sites*. What a trapezoid has below and above are *rails*: a rail is an edge under a number that the
 //! longer part keeps when the edge is split.
 //!
-//! The search structure is the history of the decomposition: a leaf that is no more has become a comparison with a site or a curve.
-//! With edges in random order, its depth is expected to be logarithmic. Each search of an edit counts its steps; when those beyond the
-//! logarithm add up to the cost of building all anew, that is done. So an adverse order of edits costs no more than O(sqrt(n) log n) for
-//! each of these searches, amortized. Searches that only read do not count.
+//! The search structure is the history of the decomposition: a trapezoid that is no more has become a comparison with a site or a curve.
+//! With edges in random order, its depth is expected to be logarithmic; an order that gives a longer path than that is not taken. Each
+//! search counts its steps; when those beyond the logarithm add up to the cost of building all anew, the next edit does that. So an
+//! adverse order of edits costs no more than O(sqrt(n) log n) for each of these searches, amortized. Searches that only read count as
+//! well, but build nothing.
 //!
 //! # References
 //! Thesis, section 2.4.5 and 2.4.4 (zone); de Berg, Cheong, van Kreveld and Overmars, Computational Geometry, chapter 6.
@@ -35,10 +38,12 @@ mod ends;
 mod faces;
 mod follow;
 mod insert;
+mod locate;
 mod rails;
 mod remove;
 mod seams;
 mod search;
+mod structure;
 #[cfg(test)]
 mod tests;
 
@@ -50,6 +55,7 @@ pub(crate) use follow::Follower;
 pub(crate) use insert::{NewRail, NewSite};
 pub(crate) use search::{Found, Toward, compare_right, side};
 use std::cmp::Ordering;
+use structure::{Branch, Node, OrderRange, Structure};
 
 macro_rules! number {
     ($(#[$doc:meta])* $name:ident) => {
@@ -86,10 +92,6 @@ number!(
     /// A trapezoid.
     TrapezoidId
 );
-number!(
-    /// A node of the search structure.
-    NodeId
-);
 
 impl SiteId {
     #[inline]
@@ -113,12 +115,13 @@ pub(crate) struct Trapezoid {
     pub(crate) right: SiteId,
     pub(crate) below: RailId,
     pub(crate) above: RailId,
-    leaf: NodeId,
+    /// Where the search structure leads on if the trapezoid is no more.
+    became: Branch,
 }
 
 impl Trapezoid {
     #[inline]
-    fn rail(&self, side: Side) -> RailId {
+    pub(crate) fn rail(&self, side: Side) -> RailId {
         match side {
             Side::Below => self.below,
             Side::Above => self.above,
@@ -188,8 +191,6 @@ struct SiteRecord {
     vertex: VertexId,
     kind: SiteKind,
     location: Location,
-    /// The [order key](BasicTraits::order_key) of a point in the interior of the parameter space, else 0.
-    key: u64,
     /// The next site of the same vertex.
     next: SiteId,
 }
@@ -209,20 +210,6 @@ impl Rail {
         Self { edge: EdgeId::NONE, curve: u32::MAX, ends: [SiteId::NONE; 2], first: [TrapezoidId::NONE; 2] };
 }
 
-/// A node of the search structure.
-#[derive(Clone, Copy, Debug)]
-enum Node {
-    /// What is before a site in the lexicographic order, and what is behind; the key of its place, so that most comparisons look no
-    /// farther.
-    Split { site: SiteId, key: u64, children: [NodeId; 2] },
-    /// What is below a curve, and what is above.
-    Curve { curve: u32, children: [NodeId; 2] },
-    /// A trapezoid.
-    Leaf(TrapezoidId),
-    /// The same as another node.
-    Link(NodeId),
-}
-
 /// The vertical decomposition of an arrangement.
 #[derive(Clone, Debug)]
 pub(crate) struct Trapezoids<G: BasicTraits> {
@@ -231,16 +218,13 @@ pub(crate) struct Trapezoids<G: BasicTraits> {
     rails: Vec<Rail>,
     rail_of: Vec<RailId>,
     first_site: Vec<SiteId>,
-    nodes: Vec<Node>,
+    structure: Structure,
     gone: Vec<G::Point>,
     /// For each vertex without a point the ends there, counterclockwise.
     ends: Vec<Vec<SiteId>>,
-    free_trapezoids: Vec<TrapezoidId>,
+    /// How many trapezoids there are: of those that are no more, the search structure may know some still.
+    count: usize,
     free_rails: Vec<RailId>,
-    /// Steps of searches beyond the logarithm since the search structure was built.
-    excess: u64,
-    /// How many nodes that had then.
-    built_nodes: usize,
     visits: faces::Visits,
 }
 
@@ -252,7 +236,7 @@ impl<G: BasicTraits> Trapezoids<G> {
             right: SiteId::NONE,
             below: RailId::NONE,
             above: RailId::NONE,
-            leaf: NodeId(0),
+            became: Branch::NONE,
         };
         Self {
             trapezoids: vec![all],
@@ -260,20 +244,18 @@ impl<G: BasicTraits> Trapezoids<G> {
             rails: Vec::new(),
             rail_of: Vec::new(),
             first_site: Vec::new(),
-            nodes: vec![Node::Leaf(TrapezoidId(0))],
+            structure: Structure::new(TrapezoidId(0)),
+            count: 1,
             gone: Vec::new(),
             ends: Vec::new(),
-            free_trapezoids: Vec::new(),
             free_rails: Vec::new(),
-            excess: 0,
-            built_nodes: 1,
             visits: faces::Visits::default(),
         }
     }
 
     /// The number of trapezoids.
     pub(crate) fn count(&self) -> usize {
-        self.trapezoids.len() - self.free_trapezoids.len()
+        self.count
     }
 
     #[inline]
@@ -367,16 +349,17 @@ impl<G: BasicTraits> Trapezoids<G> {
     }
 
     fn new_trapezoid(&mut self, trapezoid: Trapezoid) -> TrapezoidId {
-        if let Some(t) = self.free_trapezoids.pop() {
-            self.trapezoids[t.index()] = trapezoid;
-            return t;
-        }
+        debug_assert!(trapezoid.became == Branch::NONE, "a trapezoid that was cut is cut again");
+        self.count += 1;
         self.trapezoids.push(trapezoid);
         TrapezoidId::new(self.trapezoids.len() - 1)
     }
 
-    fn free_trapezoid(&mut self, t: TrapezoidId) {
-        self.free_trapezoids.push(t);
+    /// A trapezoid is no more: the search structure leads on from there.
+    fn end_trapezoid(&mut self, t: TrapezoidId, became: Branch) {
+        debug_assert!(became != Branch::NONE, "the place is found still");
+        self.trapezoids[t.index()].became = became;
+        self.count -= 1;
     }
 
     fn new_rail(&mut self, rail: Rail) -> RailId {
@@ -394,19 +377,13 @@ impl<G: BasicTraits> Trapezoids<G> {
     }
 
     /// A node that compares with a site.
-    fn split_at(&self, site: SiteId, children: [NodeId; 2]) -> Node {
-        Node::Split { site, key: self.sites[site.index()].key, children }
-    }
-
-    fn new_node(&mut self, node: Node) -> NodeId {
-        self.nodes.push(node);
-        NodeId::new(self.nodes.len() - 1)
-    }
-
-    /// Makes a leaf of its own for a trapezoid.
-    fn new_leaf(&mut self, t: TrapezoidId) -> NodeId {
-        let leaf = self.new_node(Node::Leaf(t));
-        self.trapezoids[t.index()].leaf = leaf;
-        leaf
+    fn split_at<T: Topology<G>>(
+        &self,
+        arrangement: &Arrangement<G, T>,
+        site: SiteId,
+        branches: [Branch; 2],
+    ) -> Node {
+        let range = OrderRange::of(arrangement.traits(), &self.place(arrangement, site));
+        Node::split(site, range, branches)
     }
 }

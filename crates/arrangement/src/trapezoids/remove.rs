@@ -1,6 +1,7 @@
 //! Vertices and edges go.
 
-use super::{Node, NodeId, RailId, Side, SiteId, SiteKind, Trapezoid, TrapezoidId, Trapezoids};
+use super::structure::Branch;
+use super::{RailId, Side, SiteId, SiteKind, Trapezoid, TrapezoidId, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::Topology;
 use crate::traits::BasicTraits;
@@ -16,16 +17,14 @@ impl<G: BasicTraits> Trapezoids<G> {
         // On each side the old trapezoid that is walked along, and the first of the new ones in it.
         let mut old = self.rail(rail).first;
         let mut first_in = [0; 2];
-        let (mut new, mut gone) = (Vec::new(), Vec::new());
+        let mut new = Vec::new();
         let mut left = a;
         // What lies to the right of the last wall, and is to be replaced.
         let mut behind_wall = old.to_vec();
         loop {
             let [below, above] = old.map(|t| self.trapezoids[t.index()]);
-            let leaf = NodeId::NONE;
-            let joined = Trapezoid { left, right: b, below: below.below, above: above.above, leaf };
+            let joined = Trapezoid { left, right: b, below: below.below, ..above };
             let t = self.new_trapezoid(joined);
-            self.new_leaf(t);
             self.note_first(t, Side::Below, left);
             self.note_first(t, Side::Above, left);
             new.push(t);
@@ -48,17 +47,14 @@ impl<G: BasicTraits> Trapezoids<G> {
             let after = self.sites[site.index()].right[1 - i];
             self.trapezoids[t.index()].right = site;
             self.replace_left_of(site, old[i], t);
-            self.divide_leaf(old[i], &new[first_in[i]..]);
-            gone.push(old[i]);
+            self.divide(arrangement, old[i], &new[first_in[i]..]);
             behind_wall.push(after);
             (old[i], first_in[i], left) = (after, new.len(), site);
         }
         for i in [0, 1] {
             self.replace_left_of(b, old[i], new[new.len() - 1]);
-            self.divide_leaf(old[i], &new[first_in[i]..]);
-            gone.push(old[i]);
+            self.divide(arrangement, old[i], &new[first_in[i]..]);
         }
-        self.free_trapezoids.extend(gone);
         self.free_rail(rail);
     }
 
@@ -87,12 +83,10 @@ impl<G: BasicTraits> Trapezoids<G> {
 
     /// Takes away the wall between two trapezoids.
     fn join_at_wall(&mut self, l: TrapezoidId, r: TrapezoidId) {
-        let Trapezoid { right, leaf, .. } = self.trapezoids[r.index()];
-        let kept = &mut self.trapezoids[l.index()];
-        kept.right = right;
-        self.nodes[leaf.index()] = Node::Link(kept.leaf);
+        let Trapezoid { right, .. } = self.trapezoids[r.index()];
+        self.trapezoids[l.index()].right = right;
         self.replace_left_of(right, r, l);
-        self.free_trapezoids.push(r);
+        self.end_trapezoid(r, Branch::leaf(l));
     }
 
     /// Only the search structure knows the site from now on.
@@ -129,23 +123,27 @@ impl<G: BasicTraits> Trapezoids<G> {
         }
     }
 
-    /// A leaf that is no more leads on to the trapezoids that are there now, from left to right.
-    fn divide_leaf(&mut self, old: TrapezoidId, new: &[TrapezoidId]) {
-        let leaf = self.trapezoids[old.index()].leaf;
-        self.nodes[leaf.index()] = match self.tree(new) {
-            root if new.len() == 1 => Node::Link(root),
-            root => self.nodes[root.index()],
-        };
+    /// A trapezoid is no more: others are there now, from left to right.
+    fn divide<T: Topology<G>>(
+        &mut self,
+        arrangement: &Arrangement<G, T>,
+        old: TrapezoidId,
+        new: &[TrapezoidId],
+    ) {
+        let root = self.tree(arrangement, new);
+        self.end_trapezoid(old, root);
     }
 
     /// A balanced tree of the walls between trapezoids.
-    fn tree(&mut self, new: &[TrapezoidId]) -> NodeId {
+    fn tree<T: Topology<G>>(&mut self, arrangement: &Arrangement<G, T>, new: &[TrapezoidId]) -> Branch {
         if let [single] = new {
-            return self.trapezoids[single.index()].leaf;
+            return Branch::leaf(*single);
         }
         let (left, right) = new.split_at(new.len() / 2);
         let site = self.trapezoids[right[0].index()].left;
-        let children = [self.tree(left), self.tree(right)];
-        self.new_node(self.split_at(site, children))
+        let node = self.structure.add_node(self.split_at(arrangement, site, [Branch::NONE; 2]));
+        let branches = [left, right].map(|new| self.tree(arrangement, new));
+        self.structure.set_branches(node, branches);
+        node
     }
 }

@@ -12,7 +12,8 @@
 //!
 //! So each trapezoid has few neighbours, and a search has to be made for the first intervals only.
 
-use super::{Node, Side, SiteId, TrapezoidId, Trapezoids};
+use super::structure::{Comparison, Step};
+use super::{Side, SiteId, TrapezoidId, Trapezoids};
 use crate::arrangement::Arrangement;
 use crate::topology::Topology;
 use crate::traits::{Along, BasicTraits, Location};
@@ -151,15 +152,16 @@ impl<G: BasicTraits> Trapezoids<G> {
 
     /// Finds the trapezoid of a place on a side, which is behind the sites told by their location, and on one side of all curves.
     fn descend(&self, is_behind: impl Fn(Location) -> bool, side: Side) -> TrapezoidId {
-        let mut node = 0;
+        let mut branch = self.structure.root();
         loop {
-            let next = match self.nodes[node] {
-                Node::Leaf(t) => return t,
-                Node::Link(next) => next,
-                Node::Split { site, children, .. } => children[usize::from(is_behind(self.location(site)))],
-                Node::Curve { children, .. } => children[side as usize],
+            let node = match self.structure.at(branch, &self.trapezoids) {
+                Step::End(t) => return t,
+                Step::Node(node) => node,
             };
-            node = next.index();
+            branch = node.branches()[match node.comparison() {
+                Comparison::Site(site, _) => usize::from(is_behind(self.location(site))),
+                Comparison::Curve(..) => side as usize,
+            }];
         }
     }
 }

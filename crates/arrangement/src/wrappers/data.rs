@@ -5,7 +5,7 @@ use crate::models::polycurve::PieceTraits;
 use crate::traits::{
     ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, BoundedTraits, ClosedBottomTopTraits,
     ClosedLeftRightTraits, ContractedBottomTopTraits, ContractedLeftRightTraits, CurveEnd, DirectionalTraits,
-    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, Location, Meeting,
+    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, LandmarkTraits, Location, Meeting,
     NearBottomTopTraits, NearLeftRightTraits, OpenBottomTopTraits, OpenLeftRightTraits, Piece,
     UMonotoneTraits, Window,
 };

@@ -31,6 +31,31 @@ macro_rules! forward_traits {
             }
 
             #[inline]
+            fn order_range(&self, p: &Self::Point) -> (u64, u32) {
+                $via!(self, OrderRange, order_range(plain p))
+            }
+
+            #[inline]
+            fn side_key(&self, curve: &Self::UMonotoneCurve) -> [u32; 3] {
+                $via!(self, SideKey, side_key(curve curve))
+            }
+
+            #[inline]
+            fn compare_v_at_u_by_key(&self, p: &Self::Point, key: &[u32; 3]) -> Option<Ordering> {
+                $via!(self, CompareVAtUByKey, compare_v_at_u_by_key(plain p, plain key))
+            }
+
+            #[inline]
+            fn is_canonical(&self, p: &Self::Point) -> bool {
+                $via!(self, IsCanonical, is_canonical(plain p))
+            }
+
+            #[inline]
+            fn is_own_curve(&self, curve: &Self::UMonotoneCurve) -> bool {
+                $via!(self, IsOwnCurve, is_own_curve(curve curve))
+            }
+
+            #[inline]
             fn end_point<'a>(&self, curve: &'a Self::UMonotoneCurve, end: CurveEnd) -> Option<&'a Self::Point> {
                 $via!(self, EndPoint, end_point(curve curve, plain end))
             }
@@ -95,6 +120,12 @@ macro_rules! forward_traits {
                 out: &mut Vec<[f64; 2]>,
             ) {
                 $via!(self, ApproxCurve, approx_curve(curve curve, plain min, plain max, plain window) appends out)
+            }
+        }
+
+        impl<G: LandmarkTraits, $($param)*> LandmarkTraits for $wrapper {
+            fn approx_to_point(&self, parameters: [f64; 2]) -> Option<Self::Point> {
+                $via!(self, ApproxToPoint, approx_to_point(plain parameters))
             }
         }
 

@@ -6,7 +6,7 @@ use crate::models::polycurve::{ConnectTraits, PieceTraits};
 use crate::traits::{
     ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, BoundedTraits, ClosedBottomTopTraits,
     ClosedLeftRightTraits, ContractedBottomTopTraits, ContractedLeftRightTraits, CurveEnd, DirectionalTraits,
-    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, Location, Meeting,
+    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, LandmarkTraits, Location, Meeting,
     NearBottomTopTraits, NearLeftRightTraits, OpenBottomTopTraits, OpenLeftRightTraits, Piece,
     UMonotoneTraits, Window,
 };

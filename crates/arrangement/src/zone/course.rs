@@ -50,6 +50,10 @@ impl<'z, G: UMonotoneTraits, T: Topology<G>> Course<'z, G, T> {
         trapezoids: &'z Trapezoids<G>,
         curve: &'z G::UMonotoneCurve,
     ) -> Self {
+        debug_assert!(
+            arrangement.traits().is_own_curve(curve),
+            "the curve is one of the traits of the arrangement"
+        );
         let of_end = |end| Site::of_end(arrangement.topology(), arrangement.traits(), curve, end);
         Self { arrangement, trapezoids, curve, ends: CurveEnd::BOTH.map(of_end) }
     }

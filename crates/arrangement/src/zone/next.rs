@@ -1,7 +1,7 @@
 //! What a curve does next, from a place on it.
 
 use crate::arrangement::Arrangement;
-use crate::topology::{Site, Topology};
+use crate::topology::{Site, Topology, ends_on_side};
 use crate::traits::{Along, CurveEnd, Location, UMonotoneTraits};
 use crate::trapezoids::{RailId, SiteId, TrapezoidId, Trapezoids, compare_right};
 use dcel::VertexId;
@@ -66,14 +66,16 @@ fn parting<G: UMonotoneTraits, T: Topology<G>>(
     if G::MEET_ONCE {
         return end;
     }
+    let other = &arrangement.curves()[rail.curve as usize];
     let is_ahead = |point: &G::Point| {
-        // On a side curves end, and what ends is asked above.
+        // On a side curves end, and what ends is asked above. The point of a contracted side is not told apart by where it is.
         let parting = Site::of_point(topology, traits, point);
         parting.location.is_interior()
+            && ![curve, other].into_iter().any(|curve| ends_on_side(topology, traits, curve, point))
             && topology.compare_sites(traits, start, &parting).is_lt()
             && is_before(&parting)
     };
-    let parting = traits.end_of_overlap(curve, &arrangement.curves()[rail.curve as usize], start.point());
+    let parting = traits.end_of_overlap(curve, other, start.point());
     parting.filter(is_ahead).or(end)
 }
 

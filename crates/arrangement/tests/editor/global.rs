@@ -79,7 +79,7 @@ impl Law for Mixed {
             } else {
                 let next = done + 1 + rng.index(scene.curves.len() - done);
                 let before = editor.arrangement().clone();
-                let provenance = editor.insert_all(&scene.curves[done..next], []);
+                let provenance = editor.insert_curves(&scene.curves[done..next]);
                 let after = editor.arrangement();
                 for v in after.vertices() {
                     if let [Cell::Vertex(old)] = provenance.of_vertex(v) {
@@ -90,7 +90,7 @@ impl Law for Mixed {
             }
             check(&editor);
         }
-        editor.insert_all([], scene.points.iter().cloned());
+        editor.insert_points(scene.points.iter().cloned());
         check(&editor);
         assert_eq!(editor.arrangement().difference(&scene.sweep_all()), None);
         assert!(editor.observers_mut().1.pop().is_none(), "all that was before a sweep is dropped");

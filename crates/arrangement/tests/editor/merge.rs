@@ -158,7 +158,7 @@ fn edges_become_a_closed_one() {
 
 #[test]
 #[cfg(debug_assertions)]
-#[should_panic(expected = "the curve covers the edge")]
+#[should_panic(expected = "the curve covers edge 0")]
 fn a_curve_that_does_not_cover_an_edge_is_refused() {
     let mut editor = Editor::new(Arrangement::new(SegmentTraits, BoundedPlane));
     let e = editor.insert_disjoint(segment([[0, 0], [4, 0]]));
@@ -167,7 +167,7 @@ fn a_curve_that_does_not_cover_an_edge_is_refused() {
 
 #[test]
 #[cfg(debug_assertions)]
-#[should_panic(expected = "the point lies in the interior of the edge")]
+#[should_panic(expected = "the point lies in the interior of edge 0")]
 fn an_edge_is_not_split_elsewhere() {
     let mut editor = Editor::new(Arrangement::new(SegmentTraits, BoundedPlane));
     let e = editor.insert_disjoint(segment([[0, 0], [4, 0]]));
@@ -175,7 +175,7 @@ fn an_edge_is_not_split_elsewhere() {
 }
 
 #[test]
-#[should_panic(expected = "only an edge is removed")]
+#[should_panic(expected = "edge 0 does not exist: only an edge is removed")]
 fn an_edge_is_not_removed_twice() {
     let mut editor = Editor::new(Arrangement::new(SegmentTraits, BoundedPlane));
     let e = editor.insert_disjoint(segment([[0, 0], [4, 0]]));

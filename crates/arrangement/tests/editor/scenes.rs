@@ -2,14 +2,16 @@
 
 #![allow(clippy::print_stdout, reason = "a case that fails shows its seed")]
 
+use crate::drawn::{grid_point, linear};
+use crate::swept_again::swept_again;
 use exact::Rational;
 use exact::planar::Point2;
 use splitstar_arrangement::edit::{Mirror, Undo};
 use splitstar_arrangement::models::polycurve::PolycurveTraits;
-use splitstar_arrangement::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusSegmentTraits};
+use splitstar_arrangement::models::{LinearTraits, Segment, SegmentTraits, TorusSegmentTraits};
 use splitstar_arrangement::topology::{BoundedPlane, FlatTorus, Topology, UnboundedPlane};
 use splitstar_arrangement::traits::{ArrangementTraits, UMonotoneTraits};
-use splitstar_arrangement::{Arrangement, Editor, Pieces};
+use splitstar_arrangement::{Arrangement, Editor};
 use testkit::Rng;
 
 /// Curves and points of one family.
@@ -71,7 +73,12 @@ pub(crate) fn for_all(law: &impl Law, cases: u64, seed: u64) {
         let (traits, topology) = (SegmentTraits, BoundedPlane);
         law.check(&Scene { traits, topology, curves, points }, &mut rng);
 
-        let curves = (0..1 + rng.below(7)).filter_map(|_| linear(&mut rng, size)).collect();
+        let curves = (0..1 + rng.below(7))
+            .filter_map(|_| {
+                let points = two_points(&mut rng, size);
+                linear(&mut rng, points)
+            })
+            .collect();
         let (traits, topology) = (LinearTraits, UnboundedPlane);
         let points = self::points(&mut rng, size);
         law.check(&Scene { traits, topology, curves, points }, &mut rng);
@@ -87,7 +94,7 @@ pub(crate) fn for_all(law: &impl Law, cases: u64, seed: u64) {
 
         let traits = TorusSegmentTraits::new([4.into(), 4.into()]).unwrap();
         let path = |rng: &mut Rng| {
-            let start = Point2::from_i64([rng.below(4) as i64, rng.below(4) as i64]);
+            let start = grid_point(rng, 4);
             if rng.one_in(3) {
                 return traits.closed_path(&start, [rng.within(2), rng.within(2)]).ok();
             }
@@ -100,13 +107,8 @@ pub(crate) fn for_all(law: &impl Law, cases: u64, seed: u64) {
     }
 }
 
-fn linear(rng: &mut Rng, size: u64) -> Option<Linear> {
-    let (p, q) = (point(rng, size), point(rng, size));
-    match rng.below(3) {
-        0 => Linear::line(&p, &q),
-        1 => Linear::ray(p, &q),
-        _ => Linear::segment(p, q),
-    }
+fn two_points(rng: &mut Rng, size: u64) -> [Point2; 2] {
+    [point(rng, size), point(rng, size)]
 }
 
 /// An editor with a copy of the cells that is kept by what observers are told, and a record of operations.
@@ -124,21 +126,6 @@ pub(crate) fn check<G: UMonotoneTraits + Clone, T: Topology<G>>(editor: &Watched
     let is_shown_alike = |a: &_, b: &_| format!("{a:?}") == format!("{b:?}");
     assert_eq!(editor.observers().0.difference(arrangement, is_shown_alike), None);
     assert_eq!(arrangement.difference(&swept_again(arrangement)), None);
-}
-
-/// The edges and isolated vertices, swept.
-pub(crate) fn swept_again<G: UMonotoneTraits + Clone, T: Topology<G>>(
-    arrangement: &Arrangement<G, T>,
-) -> Arrangement<G, T> {
-    let dcel = arrangement.dcel();
-    let mut pieces = Pieces::<G>::new();
-    for e in dcel.edges() {
-        pieces.push_piece(arrangement.make_edge_curve(e), dcel.ends(e).map(|v| arrangement.is_artificial(v)));
-    }
-    for v in arrangement.vertices().filter(|&v| dcel.outgoing(v).is_none()) {
-        pieces.push_point(arrangement.point(v).unwrap().clone());
-    }
-    Arrangement::of_pieces(arrangement.traits().clone(), arrangement.topology().clone(), pieces)
 }
 
 /// Takes all operations back, and expects the states that were.

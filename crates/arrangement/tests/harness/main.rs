@@ -6,8 +6,22 @@
 //! what the cells are (`oracle`, on the torus `torus_oracle`). `laws` checks each predicate by itself,
 //! `queries` what one sweep answers, and `provenance` where the cells of overlays come from, both with a scan over all cells (`scan`).
 
+/// A test for each model: so many cases of `run`, and whether all curves are bounded.
+macro_rules! test_models {
+    ($($name:ident: $model:ident, $cases:literal, $are_bounded:literal;)*) => {
+        $(
+            #[test]
+            fn $name() {
+                run(&$model, $cases, $are_bounded);
+            }
+        )*
+    };
+}
+
 mod curves;
 mod families;
+#[path = "../common/family.rs"]
+mod family;
 mod invariance;
 mod laws;
 mod models;

@@ -1,32 +1,23 @@
 //! The models, each with the surface that it serves, and how curves become its own.
 
 use crate::curves::{Curve, P, Shape, rational};
+use crate::family::{CurveOf, Family};
+pub(crate) use crate::family::{Linears, MinimalSegments, Numbered, Polylinears, Polylines, Segments};
 use exact::Rational;
 use exact::planar::Point2;
 use splitstar_arrangement::Pieces;
-use splitstar_arrangement::models::polycurve::{Polycurve, PolycurveTraits};
+use splitstar_arrangement::models::polycurve::Polycurve;
 use splitstar_arrangement::models::{
-    Linear, LinearTraits, MinimalSegment, MinimalSegmentTraits, Segment, SegmentTraits, TorusSegmentTraits,
+    Linear, LinearTraits, MinimalSegment, Segment, TorusPath, TorusSegmentTraits,
 };
-use splitstar_arrangement::topology::{BoundedPlane, FlatTorus, Topology, UnboundedPlane};
-use splitstar_arrangement::traits::{ArrangementTraits, DirectionalTraits};
-use splitstar_arrangement::wrappers::{ConsolidatedTraits, DataSet, WithData};
-use std::fmt::Debug;
+use splitstar_arrangement::topology::FlatTorus;
+use splitstar_arrangement::traits::DirectionalTraits;
+use splitstar_arrangement::wrappers::{DataSet, WithData};
 
-/// A family of curves on a surface.
-pub(crate) trait Model: Debug {
-    type Traits: ArrangementTraits<Point = Point2> + DirectionalTraits + Clone;
-    type Surface: Topology<Self::Traits>;
-
-    fn traits(&self) -> Self::Traits;
-    fn surface(&self) -> Self::Surface;
+/// A family whose curves are made of shapes and ends.
+pub(crate) trait Model: Family {
     /// A curve of the family; `None` if it cannot carry such a one. `number` may become its data.
-    fn curve(
-        &self,
-        shape: Shape,
-        ends: [Point2; 2],
-        number: u32,
-    ) -> Option<<Self::Traits as ArrangementTraits>::Curve>;
+    fn curve(&self, shape: Shape, ends: [Point2; 2], number: u32) -> Option<CurveOf<Self>>;
 
     /// Where the surface has a place of the plane.
     fn place(&self, p: &P) -> P {
@@ -62,57 +53,21 @@ pub(crate) trait Model: Debug {
 }
 
 /// Curves of a model, and points.
-pub(crate) type OwnCurves<M> = (Vec<<<M as Model>::Traits as ArrangementTraits>::Curve>, Vec<Point2>);
-
-#[derive(Debug)]
-pub(crate) struct Segments;
+pub(crate) type OwnCurves<M> = (Vec<CurveOf<M>>, Vec<Point2>);
 
 impl Model for Segments {
-    type Traits = SegmentTraits;
-    type Surface = BoundedPlane;
-
-    fn traits(&self) -> SegmentTraits {
-        SegmentTraits
-    }
-    fn surface(&self) -> BoundedPlane {
-        BoundedPlane
-    }
     fn curve(&self, shape: Shape, [p, q]: [Point2; 2], _: u32) -> Option<Segment> {
         Segment::new(p, q).filter(|_| shape == Shape::Segment)
     }
 }
 
-#[derive(Debug)]
-pub(crate) struct MinimalSegments;
-
 impl Model for MinimalSegments {
-    type Traits = MinimalSegmentTraits;
-    type Surface = BoundedPlane;
-
-    fn traits(&self) -> MinimalSegmentTraits {
-        MinimalSegmentTraits
-    }
-    fn surface(&self) -> BoundedPlane {
-        BoundedPlane
-    }
     fn curve(&self, shape: Shape, [p, q]: [Point2; 2], _: u32) -> Option<MinimalSegment> {
         MinimalSegment::new(p, q).filter(|_| shape == Shape::Segment)
     }
 }
 
-#[derive(Debug)]
-pub(crate) struct Linears;
-
 impl Model for Linears {
-    type Traits = LinearTraits;
-    type Surface = UnboundedPlane;
-
-    fn traits(&self) -> LinearTraits {
-        LinearTraits
-    }
-    fn surface(&self) -> UnboundedPlane {
-        UnboundedPlane
-    }
     fn curve(&self, shape: Shape, [p, q]: [Point2; 2], _: u32) -> Option<Linear> {
         match shape {
             Shape::Segment => Linear::segment(p, q),
@@ -129,20 +84,8 @@ fn quarter(p: &Point2, q: &Point2, k: i64) -> Point2 {
     Point2::from_rationals(&[mix(x, z), mix(y, w)])
 }
 
-/// Segments as polylines with joints, which nobody may see.
-#[derive(Debug)]
-pub(crate) struct Polylines;
-
+/// Segments with joints, which nobody may see.
 impl Model for Polylines {
-    type Traits = PolycurveTraits<SegmentTraits>;
-    type Surface = BoundedPlane;
-
-    fn traits(&self) -> Self::Traits {
-        PolycurveTraits::new(SegmentTraits)
-    }
-    fn surface(&self) -> BoundedPlane {
-        BoundedPlane
-    }
     fn curve(&self, shape: Shape, [p, q]: [Point2; 2], number: u32) -> Option<Polycurve<Point2, Segment>> {
         let joints = (1..=i64::from(number % 3)).map(|k| quarter(&p, &q, k)).collect::<Vec<_>>();
         let vertices = std::iter::once(p).chain(joints).chain([q]);
@@ -152,19 +95,7 @@ impl Model for Polylines {
 }
 
 /// Segments, rays and lines with joints.
-#[derive(Debug)]
-pub(crate) struct Polylinears;
-
 impl Model for Polylinears {
-    type Traits = PolycurveTraits<LinearTraits>;
-    type Surface = UnboundedPlane;
-
-    fn traits(&self) -> Self::Traits {
-        PolycurveTraits::new(LinearTraits)
-    }
-    fn surface(&self) -> UnboundedPlane {
-        UnboundedPlane
-    }
     fn curve(&self, shape: Shape, [p, q]: [Point2; 2], _: u32) -> Option<Polycurve<Point2, Linear>> {
         let middle = quarter(&p, &q, 2);
         let first = match shape {
@@ -179,26 +110,9 @@ impl Model for Polylinears {
     }
 }
 
-/// Segments that carry their numbers.
-#[derive(Debug)]
-pub(crate) struct Numbered;
-
+/// Each carries its number.
 impl Model for Numbered {
-    type Traits = ConsolidatedTraits<SegmentTraits, u32>;
-    type Surface = BoundedPlane;
-
-    fn traits(&self) -> Self::Traits {
-        ConsolidatedTraits::consolidated(SegmentTraits)
-    }
-    fn surface(&self) -> BoundedPlane {
-        BoundedPlane
-    }
-    fn curve(
-        &self,
-        shape: Shape,
-        [p, q]: [Point2; 2],
-        number: u32,
-    ) -> Option<<Self::Traits as ArrangementTraits>::Curve> {
+    fn curve(&self, shape: Shape, [p, q]: [Point2; 2], number: u32) -> Option<CurveOf<Self>> {
         let segment = Segment::new(p, q).filter(|_| shape == Shape::Segment)?;
         Some(WithData::new(segment, DataSet::single(number)))
     }
@@ -220,22 +134,21 @@ impl WideTorus {
     }
 }
 
-impl Model for WideTorus {
+impl Family for WideTorus {
     type Traits = TorusSegmentTraits;
     type Surface = FlatTorus;
 
     fn traits(&self) -> TorusSegmentTraits {
         self.traits.clone()
     }
+
     fn surface(&self) -> FlatTorus {
         FlatTorus
     }
-    fn curve(
-        &self,
-        shape: Shape,
-        ends: [Point2; 2],
-        _: u32,
-    ) -> Option<<Self::Traits as ArrangementTraits>::Curve> {
+}
+
+impl Model for WideTorus {
+    fn curve(&self, shape: Shape, ends: [Point2; 2], _: u32) -> Option<TorusPath> {
         let [[x, y], [z, w]] = ends.map(|end| end.coordinates());
         let start = Point2::from_rationals(&[&x + &self.shift[0], &y + &self.shift[1]]);
         let path = self.traits.path(&start, &[z - x, w - y]).expect("the path is short");

@@ -1,6 +1,7 @@
 //! Queries that one sweep answers, against brute force: all pairs for meetings, a scan over all cells for location.
 
 use crate::curves::{Curve, P, parse, rational};
+use crate::family::Family;
 use crate::models::{Linears, MinimalSegments, Model, Numbered, Polylinears, Polylines, Segments, WideTorus};
 use crate::oracle::{Cells, EdgeKey, brute_force, ends, has_point, line_of};
 use crate::random::random_curves;
@@ -10,7 +11,9 @@ use exact::Rational;
 use exact::planar::Point2;
 use splitstar_arrangement::topology::Topology;
 use splitstar_arrangement::traits::{BasicTraits, CurveEnd, Intersection, UMonotoneTraits};
-use splitstar_arrangement::{Arrangement, CommonEnds, do_any_meet, intersections, locate_all, subcurves};
+use splitstar_arrangement::{
+    Arrangement, CommonEnds, do_any_meet, intersections, locate_by_sweep, subcurves,
+};
 use testkit::Rng;
 
 const BOTH: [CommonEnds; 2] = [CommonEnds::Count, CommonEnds::Ignore];
@@ -147,7 +150,7 @@ fn check_locations<M: Model>(
     let scan = Scan::new(&arrangement, cells, model.period().as_ref());
     let points = points_of_cells(cells, rng, model);
     let mut known = 0;
-    for (p, cell) in points.iter().zip(locate_all(&arrangement, &points)) {
+    for (p, cell) in points.iter().zip(locate_by_sweep(&arrangement, &points)) {
         if let Some(expected) = scan.locate(&p.coordinates()) {
             assert_eq!(cell, expected, "{p:?}, {context}: {curves:?}");
             known += 1;
@@ -179,34 +182,13 @@ fn run(model: &impl Model, cases: u32, are_bounded: bool) {
     assert!(meetings > 300 && located > 5_000, "{meetings}, {located}");
 }
 
-#[test]
-fn segments() {
-    run(&Segments, 300, true);
-}
-
-#[test]
-fn minimal_segments() {
-    run(&MinimalSegments, 100, true);
-}
-
-#[test]
-fn linear_curves() {
-    run(&Linears, 300, false);
-}
-
-#[test]
-fn polylines() {
-    run(&Polylines, 100, true);
-}
-
-#[test]
-fn polycurves_of_linear_curves() {
-    run(&Polylinears, 100, false);
-}
-
-#[test]
-fn segments_with_data() {
-    run(&Numbered, 100, true);
+test_models! {
+    segments: Segments, 300, true;
+    minimal_segments: MinimalSegments, 100, true;
+    linear_curves: Linears, 300, false;
+    polylines: Polylines, 100, true;
+    polycurves_of_linear_curves: Polylinears, 100, false;
+    segments_with_data: Numbered, 100, true;
 }
 
 #[test]

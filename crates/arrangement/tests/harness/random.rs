@@ -41,34 +41,13 @@ fn run(model: &impl Model, cases: u32, are_bounded: bool) {
     assert_eq!(run, cases);
 }
 
-#[test]
-fn segments() {
-    run(&Segments, 3000, true);
-}
-
-#[test]
-fn minimal_segments() {
-    run(&MinimalSegments, 800, true);
-}
-
-#[test]
-fn linear_curves() {
-    run(&Linears, 3000, false);
-}
-
-#[test]
-fn polylines() {
-    run(&Polylines, 800, true);
-}
-
-#[test]
-fn polycurves_of_linear_curves() {
-    run(&Polylinears, 800, false);
-}
-
-#[test]
-fn segments_with_data() {
-    run(&Numbered, 500, true);
+test_models! {
+    segments: Segments, 3000, true;
+    minimal_segments: MinimalSegments, 800, true;
+    linear_curves: Linears, 3000, false;
+    polylines: Polylines, 800, true;
+    polycurves_of_linear_curves: Polylinears, 800, false;
+    segments_with_data: Numbered, 500, true;
 }
 
 /// Every edge knows all the curves that run along it, and no others.

@@ -1,6 +1,7 @@
 //! The ways in which an arrangement can be made.
 
 use crate::curves::{Curve, P};
+use crate::family::Family;
 use crate::models::Model;
 use crate::oracle::{Cells, cells_of};
 use splitstar_arrangement::Arrangement;
@@ -21,7 +22,7 @@ pub(crate) enum Route {
     OverlayOfThree,
 }
 
-pub(crate) type Made<M> = Arrangement<<M as Model>::Traits, <M as Model>::Surface>;
+pub(crate) type Made<M> = Arrangement<<M as Family>::Traits, <M as Family>::Surface>;
 
 impl Route {
     pub(crate) const ALL: [Self; 5] =

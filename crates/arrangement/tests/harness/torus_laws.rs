@@ -58,6 +58,9 @@ fn ends_are_where_they_say() {
                 assert_eq!(traits.is_on_left_right(point), low_x.is_zero(), "seed {seed}");
                 assert_eq!(traits.is_on_bottom_top(point), low_y.is_zero(), "seed {seed}");
                 assert_eq!(point.coordinates(), [low_x, low_y], "seed {seed}");
+                assert!(traits.is_canonical(point) && traits.is_own_curve(&piece), "seed {seed}: {piece:?}");
+                let is_low = piece.place(end) == point;
+                assert_eq!(traits.is_canonical(piece.place(end)), is_low, "seed {seed}: {piece:?}");
                 on_sides += u32::from(!location.is_interior());
             }
             let [min, max] = CurveEnd::BOTH.map(|end| piece.place(end).coordinates());
@@ -101,7 +104,7 @@ fn sites_are_in_order() {
 #[test]
 fn sides_of_curves() {
     let (traits, mut rng) = (traits(), Rng::new(7));
-    let (mut asked, mut compared) = (0, 0);
+    let (mut asked, mut told, mut compared) = (0, 0, 0);
     for _ in 0..400 {
         let seed = rng.state();
         let pieces: Vec<TorusSegment> = (0..3).flat_map(|_| random_piece(&mut rng, &traits)).collect();
@@ -124,6 +127,11 @@ fn sides_of_curves() {
                     Sign::Positive => Ordering::Greater,
                 };
                 assert_eq!(traits.compare_v_at_u(&own, a), expected, "seed {seed}: {p:?} {a:?}");
+                // A vertical piece has no key; all others are far from the points that are not on them.
+                let is_told = expected.is_ne() && !traits.is_vertical(a);
+                let by_key = traits.compare_v_at_u_by_key(&own, &traits.side_key(a));
+                assert_eq!(by_key, is_told.then_some(expected), "seed {seed}: {p:?} {a:?}");
+                told += u32::from(is_told);
                 asked += 1;
             }
             for b in &pieces {
@@ -133,6 +141,7 @@ fn sides_of_curves() {
                     let splitstar_arrangement::traits::Intersection::Point(p, _) = intersection else {
                         continue;
                     };
+                    assert!(traits.is_canonical(p), "seed {seed}: {a:?} {b:?}");
                     let is_interior = !traits.is_on_left_right(p) && !traits.is_on_bottom_top(p);
                     let is_max = [a, b].into_iter().any(|c| traits.end_point(c, CurveEnd::Max) == Some(p));
                     if is_interior && !is_max {
@@ -145,5 +154,5 @@ fn sides_of_curves() {
             }
         }
     }
-    assert!(asked > 500 && compared > 50, "{asked} and {compared}");
+    assert!(told > 100 && asked > 500 && compared > 50, "{told} of {asked}, and {compared}");
 }

@@ -12,7 +12,7 @@ use splitstar_arrangement::models::TorusSegmentTraits;
 use splitstar_arrangement::overlay::Cell;
 use splitstar_arrangement::topology::FlatTorus;
 use splitstar_arrangement::traits::{BasicTraits, CurveEnd};
-use splitstar_arrangement::{CommonEnds, do_any_meet, intersections, locate_all, subcurves};
+use splitstar_arrangement::{CommonEnds, do_any_meet, intersections, locate_by_sweep, subcurves};
 use testkit::Rng;
 
 const BOTH: [CommonEnds; 2] = [CommonEnds::Count, CommonEnds::Ignore];
@@ -61,7 +61,7 @@ fn check(curves: &[TorusCurve], period: &P, rng: &mut Rng, context: &str) -> [us
         places.push([0, 1].map(|i| &period[i] * fraction(rng.below(parts) as i64, parts as i64)));
     }
     let points: Vec<Point2> = places.iter().map(Point2::from_rationals).collect();
-    for (place, cell) in places.iter().zip(locate_all(&arrangement, &points)) {
+    for (place, cell) in places.iter().zip(locate_by_sweep(&arrangement, &points)) {
         if let Some(expected) = scan.locate(place) {
             assert_eq!(cell, expected, "{place:?}, {context}: {curves:?}");
             known += 1;
@@ -102,7 +102,7 @@ fn closed(x: i64, y: i64, winding: [i64; 2]) -> TorusCurve {
 fn vertices_to_which_edges_come_only_from_the_top_or_the_right() {
     for (size, curve, p) in [(3, path(2, 0, 0, -1), at(2, 0)), (4, path(0, 0, -1, -1), at(0, 0))] {
         let arrangement = sweep(&[curve], &at(size, size));
-        let cells = locate_all(&arrangement, &[Point2::from_rationals(&p)]);
+        let cells = locate_by_sweep(&arrangement, &[Point2::from_rationals(&p)]);
         let [Cell::Vertex(v)] = cells[..] else { panic!("{cells:?}") };
         assert_eq!(arrangement.point(v).map(Point2::coordinates), Some(p));
     }

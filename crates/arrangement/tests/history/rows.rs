@@ -1,5 +1,7 @@
 //! Single cases.
 
+#![allow(clippy::print_stdout, reason = "a case that fails shows its seed")]
+
 use crate::script::{Made, check};
 use exact::planar::Point2;
 use splitstar_arrangement::edit::Mirror;
@@ -167,9 +169,9 @@ fn ids_are_used_again() {
     assert_eq!(made.remove(InputId(2)), None);
     assert_eq!(made.remove(InputId(0)), Some(Input::Curve(segment([0, 0], [2, 0]))));
     assert_eq!((made.remove(InputId(0)), made.curve(InputId(0)), made.input_count()), (None, None, 1));
-    assert_eq!(made.insert_all(&[segment([2, 1], [2, -1])]), [InputId(0)]);
+    assert_eq!(made.insert_curves(&[segment([2, 1], [2, -1])]), [InputId(0)]);
     assert_eq!(made.curve(InputId(0)), Some(&segment([2, 1], [2, -1])));
-    assert_eq!(made.insert_all(&[]), []);
+    assert_eq!(made.insert_curves(&[]), []);
     made.clear();
     assert_eq!((made.input_count(), made.dcel().edge_count()), (0, 0));
     assert_eq!(made.insert(&segment([0, 0], [2, 0])), InputId(0));
@@ -180,4 +182,26 @@ fn an_observer_of_another_arrangement_is_refused() {
     let other = splitstar_arrangement::Arrangement::new(SegmentTraits, BoundedPlane);
     let made = Made::with_observers(SegmentTraits, BoundedPlane, |_| Mirror::new(&other));
     assert!(made.is_err());
+}
+
+/// Curves that end at one vertex or pass through it, and one by one go again.
+#[test]
+fn a_star_goes_curve_by_curve() {
+    let mut rng = testkit::Rng::new(11);
+    println!("seed 11");
+    for _ in 0..4 {
+        let around: Vec<[i64; 2]> = (-6..=6).map(|u| [u, 9]).chain((-6..=6).map(|u| [9, u])).collect();
+        let rays = around.iter().flat_map(|&to| [segment([0, 0], to), segment([0, 0], to.map(|c| -c))]);
+        let lines = around.iter().map(|&to| segment(to.map(|c| -2 * c), to.map(|c| 2 * c)));
+        let mut curves: Vec<Segment> = rays.chain(lines).collect();
+        rng.shuffle(&mut curves);
+        let mut made = watched(SegmentTraits, BoundedPlane);
+        let mut ids = made.insert_curves(&curves);
+        rng.shuffle(&mut ids);
+        for (i, id) in ids.into_iter().enumerate() {
+            made.remove(id);
+            check(&made, &format!("removal {i}"));
+        }
+        assert_eq!(made.vertices().count(), 0);
+    }
 }

@@ -108,7 +108,8 @@ pub(crate) fn play<G: ArrangementTraits + Clone, T: Topology<G>>(
             5 => inputs.push(made.insert_point(&(pool.point)(&mut rng))),
             6 => {
                 let curves: Vec<_> = (0..rng.index(5)).map(|_| (pool.curve)(&mut rng)).collect();
-                inputs.extend(made.insert_all(&curves));
+                let points: Vec<_> = (0..rng.index(3)).map(|_| (pool.point)(&mut rng)).collect();
+                inputs.extend(made.insert_curves_and_points(&curves, points));
             }
             8 => {
                 let places: Vec<_> = inputs.iter().flat_map(|&id| made.edges_of(id)).collect();

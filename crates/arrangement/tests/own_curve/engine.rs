@@ -6,7 +6,9 @@ use super::own_curve::{Arc, Curve, Point, TaxicabTraits};
 use splitstar_arrangement::overlay::{Cell, overlay_all};
 use splitstar_arrangement::topology::BoundedPlane;
 use splitstar_arrangement::traits::{ApproxTraits, ArrangementTraits, BasicTraits, CurveEnd};
-use splitstar_arrangement::{Arrangement, CommonEnds, do_any_meet, intersections, locate_all, subcurves};
+use splitstar_arrangement::{
+    Arrangement, CommonEnds, do_any_meet, intersections, locate_by_sweep, subcurves,
+};
 use std::collections::{BTreeMap, BTreeSet};
 
 type Taxicab = Arrangement<TaxicabTraits, BoundedPlane>;
@@ -111,7 +113,7 @@ fn check_all(curves: &[Curve], random: &mut Random, name: &str) {
     for (operand, arrangement) in [&red, &blue].into_iter().enumerate() {
         let points: Vec<Point> = overlay.vertices().map(|v| *overlay.point(v).unwrap()).collect();
         let found: Vec<Cell> = overlay.vertices().map(|v| provenance.of_vertex(v)[operand]).collect();
-        assert_eq!(found, locate_all(arrangement, &points), "{name}, provenance: {first:?} {second:?}");
+        assert_eq!(found, locate_by_sweep(arrangement, &points), "{name}, provenance: {first:?} {second:?}");
         for e in overlay.dcel().edges() {
             let path = nodes(&overlay.make_edge_curve(e));
             let Cell::Edge(old) = provenance.of_edge(e)[operand] else { continue };
@@ -157,7 +159,7 @@ fn check_locations(curves: &[Curve], arrangement: &Taxicab, name: &str) {
     let cells = Cells::of(curves);
     let on_edges: BTreeSet<Node> = cells.edges.iter().flatten().copied().collect();
     let mut inside: BTreeMap<Cell, Vec<bool>> = BTreeMap::new();
-    for (p, cell) in points.iter().zip(locate_all(arrangement, &points)) {
+    for (p, cell) in points.iter().zip(locate_by_sweep(arrangement, &points)) {
         let node = (p.u, p.v);
         let is_right = match cell {
             Cell::Vertex(v) => arrangement.point(v) == Some(p),

@@ -1,6 +1,7 @@
 //! Curves and points one by one, in random orders, against one sweep.
 
 use crate::curves::{Curve, P, at, fraction};
+use crate::family::{CurveOf, Family};
 use crate::models::{Linears, MinimalSegments, Model, Numbered, Polylinears, Polylines, Segments, WideTorus};
 use crate::rows::rows;
 use crate::torus_oracle::TorusCurve;
@@ -67,8 +68,6 @@ fn counts_of([vertices, edges, faces, isolated, components]: [usize; 5]) -> Coun
     Counts { vertices, edges, faces, isolated, components }
 }
 
-type CurveOf<M> = <<M as Model>::Traits as ArrangementTraits>::Curve;
-
 fn items_of<M: Model>(model: &M, curves: &[Curve]) -> Option<Vec<Item<CurveOf<M>>>> {
     let (own, points) = model.own(curves)?;
     Some(own.into_iter().map(Item::Curve).chain(points.into_iter().map(Item::Point)).collect())
@@ -128,8 +127,8 @@ fn torus_with_seams_between_integers() {
 }
 
 /// What the edges carry, with their ends.
-fn data<T: Topology<<Numbered as Model>::Traits>>(
-    made: &Arrangement<<Numbered as Model>::Traits, T>,
+fn data<T: Topology<<Numbered as Family>::Traits>>(
+    made: &Arrangement<<Numbered as Family>::Traits, T>,
 ) -> Vec<([P; 2], Vec<u32>)> {
     let of = |e| {
         let ends = made.dcel().ends(e).map(|v| made.point(v).expect("segments are bounded").coordinates());

@@ -7,6 +7,8 @@
 #[path = "../harness/curves.rs"]
 #[allow(dead_code, reason = "the harness uses all of it")]
 mod curves;
+#[path = "../common/family.rs"]
+mod family;
 mod increments;
 #[path = "../harness/models.rs"]
 #[allow(dead_code, reason = "the harness uses all of it")]
@@ -18,6 +20,8 @@ mod random;
 #[path = "../harness/rows.rs"]
 mod rows;
 mod script;
+#[path = "../common/swept_again.rs"]
+mod swept_again;
 #[path = "../harness/torus_oracle.rs"]
 #[allow(dead_code, reason = "the harness uses all of it")]
 mod torus_oracle;

@@ -63,7 +63,7 @@ fn edit<const M: bool>(rng: &mut Rng, kinds: [SideKind; 2], curves: &[Curve], co
 fn remember<const M: bool>(rng: &mut Rng, kinds: [SideKind; 2], curves: &[Curve], context: &str) {
     let mut made = ArrangementWithHistory::new(Strip::<M> { size: SIZE, v: kinds }, Band(kinds));
     let (first, last) = curves.split_at(rng.index(curves.len() + 1));
-    let mut inputs: Vec<_> = made.insert_all(first).into_iter().zip(first.iter().copied()).collect();
+    let mut inputs: Vec<_> = made.insert_curves(first).into_iter().zip(first.iter().copied()).collect();
     inputs.extend(last.iter().map(|curve| (made.insert(curve), *curve)));
     rng.shuffle(&mut inputs);
     while let Some((id, _)) = inputs.pop() {

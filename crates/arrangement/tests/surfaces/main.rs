@@ -5,9 +5,11 @@
 
 mod glue;
 mod increments;
+mod landmarks;
 mod paths;
 mod random;
 mod rectangle;
 mod strip;
 mod tables;
 mod transposed;
+mod tube;

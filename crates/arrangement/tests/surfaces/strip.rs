@@ -4,9 +4,9 @@ use exact::planar::{Point2, compare_x, compare_y};
 use splitstar_arrangement::models::{Segment, SegmentTraits};
 use splitstar_arrangement::topology::{Site, SiteAt, Topology};
 use splitstar_arrangement::traits::{
-    Along, BasicTraits, BoundaryTraits, ClosedBottomTopTraits, ContractedBottomTopTraits, CurveEnd,
-    IdentifiedLeftRightTraits, Intersection, Location, Meeting, Multiplicity, NearBottomTopTraits,
-    NearLeftRightTraits, OpenBottomTopTraits, SideKind, Sides, UMonotoneTraits, Window,
+    Along, ApproxTraits, BasicTraits, BoundaryTraits, ClosedBottomTopTraits, ContractedBottomTopTraits,
+    CurveEnd, IdentifiedLeftRightTraits, Intersection, LandmarkTraits, Location, Meeting, Multiplicity,
+    NearBottomTopTraits, NearLeftRightTraits, OpenBottomTopTraits, SideKind, Sides, UMonotoneTraits, Window,
 };
 use std::cmp::Ordering;
 
@@ -149,12 +149,37 @@ impl<const MEET_ONCE: bool> BasicTraits for Strip<MEET_ONCE> {
     }
 }
 
+impl<const MEET_ONCE: bool> ApproxTraits for Strip<MEET_ONCE> {
+    fn approx_point(&self, p: &Point2) -> [f64; 2] {
+        p.approx_f64()
+    }
+
+    fn approx_curve(
+        &self,
+        curve: &Self::UMonotoneCurve,
+        _: Option<&Point2>,
+        _: Option<&Point2>,
+        _: [f64; 4],
+        out: &mut Vec<[f64; 2]>,
+    ) {
+        out.extend(CurveEnd::BOTH.map(|end| curve.place(end).approx_f64()));
+    }
+}
+
+impl<const MEET_ONCE: bool> LandmarkTraits for Strip<MEET_ONCE> {
+    fn approx_to_point(&self, parameters: [f64; 2]) -> Option<Point2> {
+        Point2::from_f64s(parameters).filter(|place| self.point_of_place(place).as_ref() == Some(place))
+    }
+}
+
 impl<const MEET_ONCE: bool> UMonotoneTraits for Strip<MEET_ONCE> {
     fn intersect(&self, a: &Piece, b: &Piece, out: &mut Vec<Intersection<Point2, Piece>>) {
         let mut places = Vec::new();
         SegmentTraits.intersect(&a.segment, &b.segment, &mut places);
         let first = out.len();
         out.extend(places.into_iter().filter_map(|common| match common {
+            // On a side that is no row of points, every end is by itself.
+            Intersection::Point(place, _) if self.location(&place).v != Along::Inside => None,
             Intersection::Point(place, multiplicity) => {
                 self.point_of_place(&place).map(|point| Intersection::Point(point, multiplicity))
             }

@@ -22,12 +22,32 @@ impl BasicTraits for Everything {
         u64::from(p.unsigned_abs())
     }
 
+    fn order_range(&self, p: &i32) -> (u64, u32) {
+        (u64::from(p.unsigned_abs()), 81)
+    }
+
+    fn side_key(&self, curve: &Line) -> [u32; 3] {
+        [82, curve.0[0].unsigned_abs(), curve.0[1].unsigned_abs()]
+    }
+
+    fn compare_v_at_u_by_key(&self, p: &i32, key: &[u32; 3]) -> Option<Ordering> {
+        (*p == 83 && *key == [1, 2, 84]).then_some(Greater)
+    }
+
     fn compare_u(&self, p: &i32, q: &i32) -> Ordering {
         p.cmp(q)
     }
 
     fn compare_uv(&self, p: &i32, q: &i32) -> Ordering {
         q.cmp(p)
+    }
+
+    fn is_canonical(&self, p: &i32) -> bool {
+        *p == 79
+    }
+
+    fn is_own_curve(&self, curve: &Line) -> bool {
+        curve.0[0] == 2
     }
 
     fn end_point<'a>(&self, curve: &'a Line, end: CurveEnd) -> Option<&'a i32> {
@@ -139,6 +159,12 @@ impl ApproxTraits for Everything {
     }
 }
 
+impl LandmarkTraits for Everything {
+    fn approx_to_point(&self, [u, _]: [f64; 2]) -> Option<i32> {
+        (u > 0.5).then_some(6)
+    }
+}
+
 impl BoundaryTraits for Everything {
     fn end_location(&self, _: &Line, end: CurveEnd) -> Location {
         Location { u: Along::High, v: if end == CurveEnd::Min { Along::Low } else { Along::Inside } }
@@ -214,6 +240,7 @@ pub(crate) trait All:
     ArrangementTraits
     + DirectionalTraits
     + ApproxTraits
+    + LandmarkTraits
     + BoundedTraits
     + ClosedLeftRightTraits
     + ClosedBottomTopTraits
@@ -231,6 +258,7 @@ impl<G> All for G where
     G: ArrangementTraits
         + DirectionalTraits
         + ApproxTraits
+        + LandmarkTraits
         + BoundedTraits
         + ClosedLeftRightTraits
         + ClosedBottomTopTraits
@@ -257,7 +285,12 @@ pub(crate) fn call_each<G: All<Point = i32>>(
         format!("{:?}", G::MEET_ONCE),
         format!("{:?}", traits.compare_u(&1, &2)),
         format!("{:?}", traits.order_key(&3)),
+        format!("{:?}", traits.order_range(&3)),
+        format!("{:?}", traits.side_key(a)),
+        format!("{:?}", traits.compare_v_at_u_by_key(&83, &[1, 2, 84])),
         format!("{:?}", traits.compare_uv(&1, &2)),
+        format!("{:?}", traits.is_canonical(&79)),
+        format!("{:?}", traits.is_own_curve(a)),
         format!("{:?}", traits.end_point(a, CurveEnd::Max)),
         format!("{:?}", traits.is_vertical(a)),
         format!("{:?}", traits.compare_v_at_u(&1, a)),
@@ -275,6 +308,7 @@ pub(crate) fn call_each<G: All<Point = i32>>(
         format!("{:?}", traits.source(a)),
         format!("{:?}", traits.target(a)),
         format!("{:?}", traits.approx_point(&4)),
+        format!("{:?}", traits.approx_to_point([1.0, 2.0])),
         format!("{:?}", traits.end_location(a, CurveEnd::Min)),
         format!("{:?}", traits.compare_v_near_side(a, b, CurveEnd::Min)),
         format!("{:?}", traits.compare_u_near_end(&1, a, CurveEnd::Min)),

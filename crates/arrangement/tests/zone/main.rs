@@ -2,6 +2,8 @@
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "../common/drawn.rs"]
+mod drawn;
 mod oracle;
 #[allow(dead_code, reason = "shared with the tests of surfaces, which use more of it")]
 #[path = "../surfaces/paths.rs"]

@@ -1,5 +1,6 @@
 //! Random curves of small coordinates, so that everything degenerate happens.
 
+use crate::drawn::{self, grid_point};
 use crate::oracle::{Seen, check, meets_by_pairs};
 use exact::Rational;
 use exact::planar::Point2;
@@ -64,8 +65,7 @@ fn run<G: ArrangementTraits<Point = Point2, Curve: Debug> + Clone, T: Topology<G
 }
 
 fn at(rng: &mut Rng, range: i64) -> Point2 {
-    let bound = range as u64 + 1;
-    Point2::from_i64([rng.below(bound) as i64, rng.below(bound) as i64])
+    grid_point(rng, range as u64 + 1)
 }
 
 fn segment(rng: &mut Rng, range: i64) -> Option<Segment> {
@@ -73,12 +73,8 @@ fn segment(rng: &mut Rng, range: i64) -> Option<Segment> {
 }
 
 fn linear(rng: &mut Rng, range: i64) -> Option<Linear> {
-    let (p, q) = (at(rng, range), at(rng, range));
-    match rng.below(3) {
-        0 => Linear::line(&p, &q),
-        1 => Linear::ray(p, &q),
-        _ => Linear::segment(p, q),
-    }
+    let ends = [at(rng, range), at(rng, range)];
+    drawn::linear(rng, ends)
 }
 
 #[test]

@@ -1,4 +1,4 @@
-//! Places and their names, and what is written by the ending of a name.
+//! Places and other values of options and their names, and what is written by the ending of a name.
 
 use super::Place;
 use splitstar::formats::{Encoding, Format};
@@ -32,6 +32,55 @@ impl CellEncoding {
             _ => return None,
         };
         Some(Self { format, gzip })
+    }
+}
+
+/// How the cells of points are found.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Strategy {
+    Naive,
+    Walk,
+    Landmarks,
+    Trapezoids,
+    Sweep,
+}
+
+impl Strategy {
+    pub(super) const ALL: [Self; 5] =
+        [Self::Naive, Self::Walk, Self::Landmarks, Self::Trapezoids, Self::Sweep];
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Naive => "naive",
+            Self::Walk => "walk",
+            Self::Landmarks => "landmarks",
+            Self::Trapezoids => "trapezoids",
+            Self::Sweep => "sweep",
+        }
+    }
+
+    pub(super) fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|strategy| name == strategy.name())
+    }
+}
+
+/// Where a vertical ray goes.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Ray {
+    Up,
+    Down,
+}
+
+impl Ray {
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Up => "up",
+            Self::Down => "down",
+        }
+    }
+
+    pub(super) fn from_name(name: &str) -> Option<Self> {
+        [Self::Up, Self::Down].into_iter().find(|ray| name == ray.name())
     }
 }
 

@@ -37,10 +37,10 @@ fn options_stand_anywhere() {
 #[test]
 fn wrong_lines_say_why() {
     let rows = [
-        ("", "a verb is missing: sum, hull, info, convert or arrange; see `splitstar --help`"),
+        ("", "a verb is missing: sum, hull, info, convert, arrange or locate; see `splitstar --help`"),
         (
             "add a b",
-            "unknown verb `add`; the verbs are sum, hull, info, convert and arrange, see `splitstar --help`",
+            "unknown verb `add`; the verbs are sum, hull, info, convert, arrange and locate, see `splitstar --help`",
         ),
         ("--json sum", "`--json` before the verb; see `splitstar --help`"),
         ("sum a -o c", "sum: two or more files to add expected, 1 given; see `splitstar sum --help`"),

@@ -10,6 +10,7 @@ mod defects;
 mod encode;
 mod formats;
 mod invalid;
+mod locate;
 #[cfg(target_os = "linux")]
 mod memory;
 mod pictures;

@@ -263,6 +263,47 @@ impl Dcel {
         self.outer_ccbs(f).chain(self.inner_ccbs(f))
     }
 
+    /// The first of all CCBs of `f`, in the order of [`face_ccbs`](Self::face_ccbs); none for an id of a removed face.
+    ///
+    /// With [`next_ccb`](Self::next_ccb) it is a walk that borrows nothing between its steps.
+    pub fn first_ccb(&self, f: FaceId) -> Option<CcbId> {
+        let face = self.faces[f.index()];
+        let heads = if face == Face::FREE { [NONE; 2] } else { [face.outer, face.inner] };
+        heads.into_iter().find(|&head| head != NONE).map(CcbId)
+    }
+
+    /// The CCB after `c` among all CCBs of its face, in the order of [`face_ccbs`](Self::face_ccbs); none after the last one.
+    ///
+    /// # Panics
+    /// If there is no CCB `c`.
+    ///
+    /// # Examples
+    /// ```
+    /// use splitstar_dcel::{CcbKind, Dcel, FaceId};
+    ///
+    /// // Two edges that do not touch each other: two holes.
+    /// let mut dcel = Dcel::new();
+    /// let face = FaceId(0);
+    /// let [a, b, c, d] = [(); 4].map(|()| dcel.add_vertex());
+    /// dcel.insert_edge_in_face(a, b, face, CcbKind::Inner);
+    /// dcel.insert_edge_in_face(c, d, face, CcbKind::Inner);
+    /// let first = dcel.first_ccb(face);
+    /// let second = first.and_then(|ccb| dcel.next_ccb(ccb));
+    /// assert!(second.is_some() && second != first);
+    /// assert_eq!(second.and_then(|ccb| dcel.next_ccb(ccb)), None);
+    /// ```
+    pub fn next_ccb(&self, c: CcbId) -> Option<CcbId> {
+        let ccb = self.ccbs[c.index()];
+        let face = self.faces[ccb.face().index()];
+        let next = ccb.links.next;
+        let of_next = match ccb.kind() {
+            CcbKind::Outer if next == face.outer => face.inner,
+            CcbKind::Inner if next == face.inner => NONE,
+            _ => next,
+        };
+        (of_next != NONE).then_some(CcbId(of_next))
+    }
+
     /// The isolated vertices in `f`; none for an id of a removed face.
     pub fn isolated_vertices(&self, f: FaceId) -> impl Iterator<Item = VertexId> + '_ {
         lists::iter(&self.isolated, self.faces[f.index()].isolated).map(|i| self.isolated[i as usize].vertex)

@@ -75,6 +75,33 @@ fn what_a_face_has_moves() {
 }
 
 #[test]
+fn ccbs_are_walked_one_by_one() {
+    let walk = |dcel: &Dcel, f| {
+        std::iter::successors(dcel.first_ccb(f), |&ccb| dcel.next_ccb(ccb)).collect::<Vec<_>>()
+    };
+    let mut dcel = triangle();
+    assert_eq!(Dcel::new().first_ccb(FaceId(0)), None);
+    assert_eq!((walk(&dcel, FaceId(0)), walk(&dcel, FaceId(1))), (vec![CcbId(0)], vec![CcbId(1)]));
+    // Three edges in the triangle, of which two are outer CCBs, as on a surface with handles they may be.
+    let kinds = [CcbKind::Inner, CcbKind::Outer, CcbKind::Inner];
+    for kind in kinds {
+        let [v, w] = [(); 2].map(|()| dcel.add_vertex());
+        dcel.insert_edge_in_face(v, w, FaceId(1), kind);
+    }
+    assert_eq!(walk(&dcel, FaceId(1)), [1, 3, 2, 4].map(CcbId));
+    assert!(dcel.face_ccbs(FaceId(1)).eq(walk(&dcel, FaceId(1))));
+    // Only inner ones; only outer ones.
+    for kind in [CcbKind::Inner, CcbKind::Outer] {
+        (1..5).for_each(|ccb| dcel.set_ccb_kind(CcbId(ccb), kind));
+        assert_eq!(walk(&dcel, FaceId(1)).len(), 4);
+        assert!(dcel.face_ccbs(FaceId(1)).eq(walk(&dcel, FaceId(1))));
+    }
+    dcel.merge_faces(FaceId(0), FaceId(1));
+    assert!(walk(&dcel, FaceId(1)).is_empty(), "the face is gone");
+    assert!(walk(&dcel, FaceId(0)).len() == 5 && dcel.face_ccbs(FaceId(0)).eq(walk(&dcel, FaceId(0))));
+}
+
+#[test]
 fn records_are_as_small_as_promised() {
     assert_eq!(size_of::<Halfedge>(), 16);
     assert_eq!(size_of::<Ccb>(), 16);

@@ -200,6 +200,14 @@ impl Line2 {
         }
     }
 
+    /// Gives three words by which [`side_of_key`](super::side_of_key) may tell a side of the line.
+    ///
+    /// They are the bits of `f32`s near to a, b and c. Three zeros belong to no line, and tell nothing.
+    #[inline]
+    pub fn side_key(&self) -> [u32; 3] {
+        self.approx_coefficients().map(|coefficient| (coefficient as f32).to_bits())
+    }
+
     /// Gives a, b, c.
     pub fn coefficients(&self) -> [Integer; 3] {
         match &self.repr {

@@ -39,4 +39,4 @@ mod tests;
 
 pub use line::Line2;
 pub use point::Point2;
-pub use predicates::{compare_x, compare_xy, compare_y, side_of_line};
+pub use predicates::{compare_x, compare_xy, compare_y, side_of_key, side_of_line};

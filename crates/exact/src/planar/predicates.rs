@@ -149,3 +149,40 @@ pub fn side_of_line(p: &Point2, line: &Line2) -> Sign {
     }
     decide::side(p, line)
 }
+
+/// Half the distance from 1 to the next `f32`.
+const UNIT_32: f64 = (f32::EPSILON / 2.0) as f64;
+
+/// Tells on which side of a line a point lies by the [side key](Line2::side_key) of the line; `None` if it cannot tell, as it never can
+/// for a point on the line.
+///
+/// # Proof
+/// As in `side_of_box`, but A, B, C are `f32`s: rounded to the nearest `f64`, then to the nearest `f32`, which makes a relative error of
+/// at most v = 2^-24 (1 + 2^-28), or an absolute one of 2^-150 where the `f32` is subnormal; then the integer was 0, and there is none. In exact
+/// arithmetic |(a x + b y - c) - (A X + B Y - C)| <= (1 + v) (4/5) e S + v M (1 + v), and the floating-point evaluation adds at most 4 u M + 3 d with
+/// u = 2^-53. The bound has 2 v' M for this, with v' = 2^-24, which leaves room for its own roundings. Infinite coefficients make it
+/// infinite or NaN, and the comparison fails.
+///
+/// ```
+/// use exact::planar::{Line2, Point2, side_of_key};
+/// let [p, q, above] = [[0, 0], [3, 1], [0, 1]].map(Point2::from_i64);
+/// let key = Line2::through(&p, &q).expect("two points").side_key();
+/// assert_eq!(side_of_key(&above, &key), Some(exact::Sign::Positive));
+/// assert_eq!(side_of_key(&q, &key), None);
+/// assert_eq!(side_of_key(&above, &[0; 3]), None);
+/// ```
+#[inline]
+pub fn side_of_key(p: &Point2, key: &[u32; 3]) -> Option<Sign> {
+    let [a, b, c] = key.map(|bits| f64::from(f32::from_bits(bits)));
+    let [x, y] = p.approx;
+    let (ax, by) = (a * x, b * y);
+    let value = ax + by - c;
+    let magnitude = ax.abs() + by.abs() + c.abs();
+    let bound = (a.abs() + b.abs()) * p.error + (2.0 * UNIT_32 * magnitude + f64::MIN_POSITIVE);
+    if value.abs() > bound && !are_boxes_skipped() {
+        count(Stage::Float);
+        Some(if value > 0.0 { Sign::Positive } else { Sign::Negative })
+    } else {
+        None
+    }
+}

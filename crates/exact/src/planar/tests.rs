@@ -5,6 +5,7 @@ use crate::{Integer, Rational, Sign};
 use std::cmp::Ordering;
 use std::collections::HashSet;
 
+mod keys;
 mod stages;
 
 const ALL_STARTS: [Start; 5] = [Start::Usual, Start::Float, Start::Fixed, Start::Interval, Start::Big];
@@ -66,11 +67,24 @@ fn assert_normal(line: &Line2) {
     }
 }
 
+/// How often keys were asked, and told something: that of which they tell nothing passes every check.
+#[derive(Default, Debug)]
+struct Told {
+    points: u32,
+    known_ranges: u32,
+    /// Points that are not on lines, where boxes are asked at all.
+    sides: u32,
+    known_sides: u32,
+}
+
 /// Checks every predicate on every pair, from every stage, against rationals.
-fn check(points: &[(Point2, [Rational; 2])], lines: &[Line2]) {
+fn check(points: &[(Point2, [Rational; 2])], lines: &[Line2]) -> Told {
+    let mut told = Told::default();
     for (p, exact) in points {
         assert_eq!(&p.coordinates(), exact);
         assert_box(p, exact);
+        told.points += 1;
+        told.known_ranges += u32::from(p.order_range().1 != u32::MAX);
     }
     lines.iter().for_each(assert_normal);
     for start in ALL_STARTS {
@@ -93,16 +107,28 @@ fn check(points: &[(Point2, [Rational; 2])], lines: &[Line2]) {
                 assert_eq!(compare_y(p, q), y, "y of {p}, {q}, {start:?}");
                 assert_eq!(compare_xy(p, q), x.then(y), "{p}, {q}, {start:?}");
                 assert_eq!(p == q, exact == other);
+                let [(low, spread), (other_low, other_spread)] = [p, q].map(|p| p.order_range());
+                if spread != u32::MAX && other_spread != u32::MAX && other_low > low + u64::from(spread) {
+                    assert_eq!(x, Ordering::Less, "ranges of {p}, {q}");
+                }
             }
             for line in lines {
-                assert_eq!(side_of_line(p, line), value(line, exact).sign(), "{p}, {line}, {start:?}");
+                let sign = value(line, exact).sign();
+                assert_eq!(side_of_line(p, line), sign, "{p}, {line}, {start:?}");
+                let by_key = side_of_key(p, &line.side_key());
+                assert!(by_key.is_none_or(|by_key| by_key == sign), "{p} by the key of {line}, {start:?}");
+                if !sign.is_zero() && matches!(start, Start::Usual | Start::Float) {
+                    told.sides += 1;
+                    told.known_sides += u32::from(by_key.is_some());
+                }
             }
         }
     }
+    told
 }
 
 /// Adds the crossings of all pairs of lines to the points, then checks all.
-fn check_with_crossings(points: &[Point2], lines: &[Line2]) {
+fn check_with_crossings(points: &[Point2], lines: &[Line2]) -> Told {
     let mut all: Vec<_> = points.iter().map(|p| (p.clone(), p.coordinates())).collect();
     for (i, l) in lines.iter().enumerate() {
         for m in &lines[i..] {
@@ -111,7 +137,7 @@ fn check_with_crossings(points: &[Point2], lines: &[Line2]) {
             all.extend(crossing.zip(expected));
         }
     }
-    check(&all, lines);
+    check(&all, lines)
 }
 
 fn random_coordinate(random: &mut Random, bits: u32) -> Rational {
@@ -139,7 +165,11 @@ fn random_points_and_lines_agree_with_rationals_at_every_width() {
                 .collect();
             let lines: Vec<_> =
                 points.windows(2).filter_map(|pair| Line2::through(&pair[0], &pair[1])).collect();
-            check_with_crossings(&points, &lines);
+            let told = check_with_crossings(&points, &lines);
+            // Wider lines have no finite key; crossings with x = 0 have no range.
+            if bits <= 30 || (is_integer && bits <= 61) {
+                assert!(told.known_sides > 0 && told.known_ranges > told.points / 2, "{bits} bits: {told:?}");
+            }
         }
     }
 }

@@ -1,7 +1,7 @@
 //! How curves are made: coordinate by coordinate, within the budget.
 
 use super::lexer::is_mark;
-use super::model::{CurveFile, CurveNote, CurvePoint, InputCurve};
+use super::model::{CurveFile, CurveNote, CurvePoint, InputCurve, PointFile};
 use crate::base::budget::Budget;
 use crate::base::error::{At, Fault, Located, NumberFault};
 use crate::base::number::{Number, parse_number};
@@ -181,18 +181,69 @@ impl<'b> Maker<'b> {
         Ok(())
     }
 
+    /// Adds a point to those that were taken out: what stands in a line of its own takes less than a curve.
+    #[inline]
+    pub(super) fn bare_point(
+        &mut self,
+        x: Token<'_>,
+        y: Token<'_>,
+        points: &mut Vec<CurvePoint>,
+    ) -> Result<(), Located> {
+        let point = self.point_of(x, y)?;
+        self.budget.charge(GROWTH * (POINT + 4)).at_line(x.line)?;
+        points.push(point);
+        self.places.push(Place::Line(x.line));
+        Ok(())
+    }
+
+    /// Takes the curves out that were added since the last call, which must be points.
+    #[inline]
+    pub(super) fn take_points(&mut self, into: &mut Vec<CurvePoint>) -> Result<(), Located> {
+        for curve in self.curves.drain(..) {
+            let name = match curve {
+                InputCurve::Point(point) => {
+                    into.push(point);
+                    continue;
+                }
+                InputCurve::Segment(_) => "segment",
+                InputCurve::Ray(_) => "ray",
+                InputCurve::Line(_) => "line",
+                InputCurve::Polyline(_) => "polyline",
+            };
+            return Err(not_a_point(name, self.places.get(into.len())));
+        }
+        Ok(())
+    }
+
     pub(super) fn finish(self) -> CurveFile {
-        let Self { curves, places, period, dropped, repeated, collapsed, empty, .. } = self;
+        let mut notes = self.notes();
+        notes.extend(self.curves.is_empty().then_some(CurveNote::NoCurves));
+        CurveFile { curves: self.curves, places: self.places, period: self.period, notes }
+    }
+
+    /// A file of the points that were taken out.
+    pub(super) fn finish_points(self, points: Vec<CurvePoint>) -> PointFile {
+        let mut notes = self.notes();
+        notes.extend(points.is_empty().then_some(CurveNote::NoPoints));
+        PointFile { points, places: self.places, period: self.period, notes }
+    }
+
+    fn notes(&self) -> Vec<CurveNote> {
+        let &Self { dropped, repeated, collapsed, empty, .. } = self;
         let notes = [
             (dropped > 0).then_some(CurveNote::CoordinatesDropped { points: dropped }),
             (repeated > 0).then_some(CurveNote::RepeatedPoints { points: repeated }),
             (collapsed > 0).then_some(CurveNote::Collapsed { polylines: collapsed }),
             (empty > 0).then_some(CurveNote::EmptyGeometries { geometries: empty }),
-            curves.is_empty().then_some(CurveNote::NoCurves),
         ];
-        let notes = notes.into_iter().flatten().collect();
-        CurveFile { curves, places, period, notes }
+        notes.into_iter().flatten().collect()
     }
+}
+
+#[cold]
+fn not_a_point(name: &str, place: Option<Place>) -> Located {
+    let why = format!("a {name} in a file of points; remove it, or give the points that are asked about");
+    Located { place, fault: Fault::Malformed { why } }
 }
 
 #[cold]

@@ -5,7 +5,7 @@
 //! | `model` | the curves, the notes |
 //! | `lexer` | tokens, in one line or across lines |
 //! | `maker` | points and curves within the budget; repeated points |
-//! | `read` | the door, and the lines of our own grammar |
+//! | `read` | the doors, for curves and for points alone, and the lines of our own grammar |
 //! | `wkt`, `geojson` | the two other grammars that may stand in a line |
 //! | `write` | the way out |
 //!
@@ -24,8 +24,8 @@ mod read;
 mod wkt;
 mod write;
 
-pub use model::{CurveFile, CurveNote, CurvePoint, InputCurve};
-pub use read::read_curves;
+pub use model::{CurveFile, CurveNote, CurvePoint, InputCurve, PointFile};
+pub use read::{read_curves, read_points};
 pub use write::{write_curves, write_periodic_curves};
 
 /// How deep brackets of WKT and GeoJSON may be nested.

@@ -41,6 +41,20 @@ pub struct CurveFile {
     pub notes: Vec<CurveNote>,
 }
 
+/// What a file of points says.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct PointFile {
+    /// The points, in the order of the file.
+    pub points: Vec<CurvePoint>,
+    /// The line of each point.
+    pub places: PlaceList,
+    /// The periods of the torus in u and v, both positive, if the file is one of a torus.
+    pub period: Option<[Rational; 2]>,
+    /// What of the file is not in the points.
+    pub notes: Vec<CurveNote>,
+}
+
 /// What was changed or left out, because it means nothing for curves of the plane.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
@@ -67,6 +81,8 @@ pub enum CurveNote {
     },
     /// The file has no curve.
     NoCurves,
+    /// The file, which is one of points, has none.
+    NoPoints,
 }
 
 impl fmt::Display for CurveNote {
@@ -95,6 +111,7 @@ impl fmt::Display for CurveNote {
                 write!(f, "{geometries} geometries are empty: they have no curve")
             }
             Self::NoCurves => f.write_str("the file has no curve"),
+            Self::NoPoints => f.write_str("the file has no point"),
         }
     }
 }

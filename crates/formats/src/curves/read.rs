@@ -1,9 +1,9 @@
-//! The door to files of curves, and the lines of our own grammar.
+//! The doors to files of curves and of points, and the lines of our own grammar.
 
 use super::geojson;
 use super::lexer::Lexer;
 use super::maker::{self, Chain, Maker};
-use super::model::{CurveFile, CurvePoint, InputCurve};
+use super::model::{CurveFile, CurvePoint, InputCurve, PointFile};
 use super::wkt;
 use crate::base::budget::Budget;
 use crate::base::error::{Fault, Located, ReadError};
@@ -42,24 +42,50 @@ use exact::{Rational, Sign};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub fn read_curves(bytes: &[u8], file_name: Option<&str>) -> Result<CurveFile, ReadError> {
-    read_packed(bytes, file_name).map_err(|Located { place, fault }| ReadError {
-        format: None,
-        part: None,
-        place,
-        fault,
-    })
+    read_packed(bytes, file_name, read_unpacked).map_err(of_no_format)
 }
 
-fn read_packed(bytes: &[u8], file_name: Option<&str>) -> Result<CurveFile, Located> {
+/// Reads a file of points to be asked about: one a line, as two coordinates, or in any of the ways in which [`read_curves`] reads points.
+///
+/// # Errors
+/// As for [`read_curves`]; and a file with another curve than a point is refused, with the line of that.
+///
+/// # Complexity
+/// That of [`read_curves`].
+///
+/// ```
+/// use exact::planar::Point2;
+/// use splitstar_formats::read_points;
+///
+/// let file = read_points(b"0 0.5 # a half\npoint 1 2\nMULTIPOINT (3 4, 5 6)\n", None)?;
+/// assert_eq!(file.points.len(), 4);
+/// assert_eq!(file.points[3], Point2::from_i64([5, 6]));
+///
+/// let error = read_points(b"0 0\nsegment 0 0 1 1\n", None).expect_err("a segment is no point");
+/// assert!(error.to_string().starts_with("line 2: a segment in a file of points"), "{error}");
+/// # Ok::<(), splitstar_formats::ReadError>(())
+/// ```
+pub fn read_points(bytes: &[u8], file_name: Option<&str>) -> Result<PointFile, ReadError> {
+    read_packed(bytes, file_name, read_unpacked_points).map_err(of_no_format)
+}
+
+fn of_no_format(Located { place, fault }: Located) -> ReadError {
+    ReadError { format: None, part: None, place, fault }
+}
+
+/// Reads a text that is not packed.
+type Unpacked<F> = fn(&[u8], Option<&str>, &mut Budget) -> Result<F, Located>;
+
+fn read_packed<F>(bytes: &[u8], file_name: Option<&str>, read: Unpacked<F>) -> Result<F, Located> {
     let mut budget = Budget::of_file(bytes.len());
     if !is_gzip(bytes) {
-        return read_unpacked(bytes, file_name, &mut budget);
+        return read(bytes, file_name, &mut budget);
     }
     let unpacked = gzip::unpack(bytes, &mut budget)?;
     if is_gzip(&unpacked) {
         return Err(unsupported("gzip within gzip", "unpack it once").into());
     }
-    read_unpacked(&unpacked, file_name, &mut budget)
+    read(&unpacked, file_name, &mut budget)
 }
 
 fn is_gzip(bytes: &[u8]) -> bool {
@@ -71,20 +97,74 @@ fn unsupported(what: &str, instead: &str) -> Fault {
 }
 
 fn read_unpacked(bytes: &[u8], file_name: Option<&str>, budget: &mut Budget) -> Result<CurveFile, Located> {
+    let mut maker = Maker::new(budget);
+    read_records(bytes, file_name, &CURVES, |word, lexer, first| record(word, lexer, &mut maker, first))?;
+    Ok(maker.finish())
+}
+
+fn read_unpacked_points(
+    bytes: &[u8],
+    file_name: Option<&str>,
+    budget: &mut Budget,
+) -> Result<PointFile, Located> {
+    let mut maker = Maker::new(budget);
+    let mut points = Vec::new();
+    read_records(bytes, file_name, &POINTS, |word, lexer, first| {
+        let known = if matches!(word.bytes.first(), Some(b'0'..=b'9' | b'+' | b'-' | b'.')) {
+            let y = lexer.expect_in_line("a point of two coordinates (`x y`)")?;
+            maker.bare_point(word, y, &mut points)?;
+            Known::Yes
+        } else {
+            let known = record(word, lexer, &mut maker, first)?;
+            maker.take_points(&mut points)?;
+            known
+        };
+        Ok(known)
+    })?;
+    Ok(maker.finish_points(points))
+}
+
+/// How messages name what a file should have.
+struct Wanted {
+    /// What the file is one of, and how it is given.
+    file: &'static str,
+    how: &'static str,
+    /// What may begin a record.
+    records: &'static str,
+}
+
+const CURVES: Wanted = Wanted {
+    file: "curves",
+    how: "give curves as text, WKT or GeoJSON",
+    records: "`segment`, `ray`, `line`, `polyline`, `point`, a geometry of WKT or a GeoJSON object",
+};
+
+const POINTS: Wanted = Wanted {
+    file: "points",
+    how: "give points as text, WKT or GeoJSON",
+    records: "a point as `x y` or `point x y`, a POINT of WKT or a GeoJSON object",
+};
+
+/// Reads all records of a text by a function that is given the first word of each, and whether it is the first record.
+fn read_records<'a>(
+    bytes: &'a [u8],
+    file_name: Option<&str>,
+    wanted: &Wanted,
+    mut record: impl FnMut(Token<'a>, &mut Lexer<'a>, bool) -> Result<Known, Located>,
+) -> Result<(), Located> {
     if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
         return Err(unsupported("a text in UTF-16", "write it in UTF-8").into());
     }
-    let mut maker = Maker::new(budget);
     let mut lexer = Lexer::new(bytes);
     let mut first = true;
     while let Some(word) = lexer.token() {
-        match record(word, &mut lexer, &mut maker, first)? {
+        match record(word, &mut lexer, first)? {
             Known::Yes => lexer.end_line()?,
-            Known::No => return Err(unknown(word, first.then_some(bytes), file_name)),
+            Known::No => return Err(unknown(word, first.then_some(bytes), file_name, wanted)),
         }
         first = false;
     }
-    Ok(maker.finish())
+    Ok(())
 }
 
 /// Whether a record begins with a word that is known.
@@ -172,7 +252,7 @@ fn period(lexer: &mut Lexer<'_>) -> Result<Rational, Located> {
 /// No record begins with this word. If it is the first of the file, this may be a file of another kind, of which the
 /// bytes are given.
 #[cold]
-fn unknown(word: Token<'_>, file: Option<&[u8]>, file_name: Option<&str>) -> Located {
+fn unknown(word: Token<'_>, file: Option<&[u8]>, file_name: Option<&str>, wanted: &Wanted) -> Located {
     let content = file.map_or(Content::Unknown, |bytes| Format::of_content(bytes, bytes.len()));
     let by_name = file_name.and_then(Encoding::from_file_name).map(|encoding| encoding.format);
     let format = match content {
@@ -181,15 +261,14 @@ fn unknown(word: Token<'_>, file: Option<&[u8]>, file_name: Option<&str>) -> Loc
     };
     let place = Place::Line(word.line);
     if let Some(format) = format {
-        let why =
-            format!("this is a model ({format}), not a file of curves; give curves as text, WKT or GeoJSON");
+        let why = format!("this is a model ({format}), not a file of {}; {}", wanted.file, wanted.how);
         return Fault::Malformed { why }.at(place);
     }
     if content == Content::Xml {
-        return unsupported("XML (SVG, GML, KML)", "give curves as text, WKT or GeoJSON").at(place);
+        return unsupported("XML (SVG, GML, KML)", wanted.how).at(place);
     }
     if word.bytes == b"[" {
         return word.unexpected("a GeoJSON object, which begins with `{`,");
     }
-    word.unexpected("`segment`, `ray`, `line`, `polyline`, `point`, a geometry of WKT or a GeoJSON object")
+    word.unexpected(wanted.records)
 }

@@ -5,6 +5,7 @@
 
 mod bad;
 mod page;
+mod points;
 mod random;
 
 use splitstar_formats::{CurveFile, CurvePoint, InputCurve, Place, read_curves, write_curves};

@@ -276,7 +276,7 @@ const FILES: &[(&str, &str)] = &[
     (
         "star 1 arrangement\nsurface plane\ncurve 0 line 0 0 1 0\nedge 0 infinity infinity curve 0\n\
          face 0\nouter +0\nface 1\nouter -0\nend\n",
-        "line 9: at infinity, the boundaries say face 1 where the curves say face 0",
+        "line 5: face 0 is not the one at the lower left; write that first",
     ),
     (
         "star 1 arrangement\nsurface plane\ncurve 0 segment 0 0 2 2\ncurve 1 segment 0 2 2 0\n\

@@ -194,6 +194,10 @@ fn halfedges_run_along_edges() {
         }
         let dual = case.dual();
         for f in dual.node_identifiers() {
+            // One CCB after the other, however many there are; from each edge with one face on both sides only one halfedge.
+            let along = dcel.face_ccbs(f).flat_map(|ccb| dcel.ccb_cycle(ccb));
+            let along: Vec<HalfedgeId> = along.filter(|&h| h.is_even() || dcel.face(h.twin()) != f).collect();
+            assert!(dual.edges(f).map(|e| e.halfedge()).eq(along), "{name}");
             let runs = |e: splitstar_graph::EdgeReference<_, _, _>| {
                 [dcel.face(e.halfedge()), dcel.face(e.halfedge().twin())] == [e.source(), e.target()]
             };

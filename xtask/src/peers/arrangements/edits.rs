@@ -2,9 +2,11 @@
 //!
 //! As in `ours`, every function prepares its operands, does the operation once, and times that alone.
 
+use arrangement::edit::Observer;
 use arrangement::history::ArrangementWithHistory;
 use arrangement::models::{Segment, SegmentTraits};
 use arrangement::topology::BoundedPlane;
+use arrangement::traits::{ArrangementTraits, BoundedTraits};
 use arrangement::{Arrangement, Editor};
 use testkit::Rng;
 
@@ -113,50 +115,82 @@ pub(super) fn remove(curves: &Curves) -> Result<Found, Failure> {
     }
 }
 
-/// A face with that many holes, each a segment: `steps` times a quadrilateral around one of them is inserted, edge by edge, whose
-/// last edge splits off a small face with a hole in it. Gives the seconds of all steps.
-///
-/// # Errors
-/// If there are fewer holes than steps, or other faces in the end than there must be.
-pub(crate) fn split_off_faces(holes: usize, steps: usize) -> Result<f64, Failure> {
-    let side = (1_i64..).find(|side| side * side >= holes as i64).expect("a number has a root");
-    let mut rng = Rng::new(1);
-    let mut near = |[x, y]: [i64; 2], [dx, dy]: [i64; 2]| [x + dx + rng.within(40), y + dy + rng.within(40)];
-    let corners: Vec<[i64; 2]> =
-        (0..holes as i64).map(|i| [i % side, i / side].map(|k| k * SQUARE)).collect();
-    let mut ends: Vec<[i64; 4]> = corners
-        .iter()
-        .map(|&corner| {
-            let [[a, b], [c, d]] = [near(corner, [400, 500]), near(corner, [600, 500])];
-            [a, b, c, d]
-        })
-        .collect();
-    let [low, high] = [-1, side * SQUARE + 1];
-    ends.extend([
-        [low, low, high, low],
-        [high, low, high, high],
-        [low, high, high, high],
-        [low, low, low, high],
-    ]);
-    let mut around: Vec<[[i64; 2]; 4]> = corners
-        .iter()
-        .map(|&corner| [[200, 200], [800, 200], [800, 800], [200, 800]].map(|by| near(corner, by)))
-        .collect();
-    rng.shuffle(&mut around);
-    let rings: Vec<Vec<Segment>> = around
-        .iter()
-        .take(steps)
-        .map(|ring| {
+/// A face with many holes, and what splits small faces off it.
+pub(crate) struct Holes {
+    /// The holes, each a segment, and the rectangle around them.
+    pub(crate) segments: Vec<Segment>,
+    /// Quadrilaterals around one hole each, edge by edge: the last edge splits off a small face with a hole in it.
+    pub(crate) rings: Vec<Vec<Segment>>,
+}
+
+impl Holes {
+    /// So many holes, and quadrilaterals around so many of them, drawn at random.
+    ///
+    /// # Errors
+    /// If there are fewer holes than quadrilaterals.
+    pub(crate) fn new(holes: usize, steps: usize) -> Result<Self, Failure> {
+        if holes < steps {
+            return Err(format!("there are no {steps} rings around {holes} holes").into());
+        }
+        let side = (1_i64..).find(|side| side * side >= holes as i64).expect("a number has a root");
+        let mut rng = Rng::new(1);
+        let mut near =
+            |[x, y]: [i64; 2], [dx, dy]: [i64; 2]| [x + dx + rng.within(40), y + dy + rng.within(40)];
+        let corners: Vec<[i64; 2]> =
+            (0..holes as i64).map(|i| [i % side, i / side].map(|k| k * SQUARE)).collect();
+        let mut ends: Vec<[i64; 4]> = corners
+            .iter()
+            .map(|&corner| {
+                let [[a, b], [c, d]] = [near(corner, [400, 500]), near(corner, [600, 500])];
+                [a, b, c, d]
+            })
+            .collect();
+        let [low, high] = [-1, side * SQUARE + 1];
+        ends.extend([
+            [low, low, high, low],
+            [high, low, high, high],
+            [low, high, high, high],
+            [low, low, low, high],
+        ]);
+        let mut around: Vec<[[i64; 2]; 4]> = corners
+            .iter()
+            .map(|&corner| [[200, 200], [800, 200], [800, 800], [200, 800]].map(|by| near(corner, by)))
+            .collect();
+        rng.shuffle(&mut around);
+        let ring = |ring: &[[i64; 2]; 4]| {
             let edge = |i: usize| [ring[i][0], ring[i][1], ring[(i + 1) % 4][0], ring[(i + 1) % 4][1]];
             segments(&[0, 1, 2, 3].map(edge))
-        })
-        .collect::<Result<_, _>>()?;
-    let mut editor = Editor::new(Arrangement::of_curves(SegmentTraits, BoundedPlane, &segments(&ends)?));
-    let ((), seconds) = timed(|| rings.iter().flatten().for_each(|edge| drop(editor.insert_curve(edge))));
-    let faces = editor.arrangement().counts().faces;
-    if rings.len() == steps && faces == steps + 2 {
-        Ok(seconds)
-    } else {
-        Err(format!("{} rings around {holes} holes make {faces} faces", rings.len()).into())
+        };
+        let rings = around.iter().take(steps).map(ring).collect::<Result<_, _>>()?;
+        Ok(Self { segments: segments(&ends)?, rings })
     }
+
+    /// Inserts all rings.
+    ///
+    /// # Errors
+    /// If there are other faces in the end than there must be.
+    pub(crate) fn insert<G, O>(&self, editor: &mut Editor<G, BoundedPlane, O>) -> Result<(), Failure>
+    where
+        G: ArrangementTraits<Curve = Segment> + BoundedTraits,
+        O: Observer<G, BoundedPlane>,
+    {
+        self.rings.iter().flatten().for_each(|edge| drop(editor.insert_curve(edge)));
+        let faces = editor.arrangement().counts().faces;
+        if faces == self.rings.len() + 2 {
+            Ok(())
+        } else {
+            Err(format!("{} rings make {faces} faces", self.rings.len()).into())
+        }
+    }
+}
+
+/// Splits so many small faces off one with so many holes. Gives the seconds of all steps.
+///
+/// # Errors
+/// Those of [`Holes`].
+pub(crate) fn split_off_faces(holes: usize, steps: usize) -> Result<f64, Failure> {
+    let holes = Holes::new(holes, steps)?;
+    let mut editor = Editor::new(Arrangement::of_curves(SegmentTraits, BoundedPlane, &holes.segments));
+    let (made, seconds) = timed(|| holes.insert(&mut editor));
+    made.map(|()| seconds)
 }

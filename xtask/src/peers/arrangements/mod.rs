@@ -4,13 +4,14 @@
 //! |---|---|
 //! | `task` | an operation and its input: which curves, drawn by `testkit`, and their text for other programs |
 //! | `rows` | the tasks of the table, what must be found, who else runs, and what must be reached |
-//! | `ours`, `edits` | the places where the library is called: arrangements are made and asked, and edited |
+//! | `ours`, `edits`, `places` | where the library is called: arrangements are made, edited, and asked where points lie |
 //! | `once` | one task in a process of its own, whose memory and processor time are measured |
 //! | `table` | runs of one row, the ratios, what failed, and the JSON of it |
 
 mod edits;
 mod once;
 mod ours;
+mod places;
 mod rows;
 mod table;
 mod task;
@@ -25,11 +26,12 @@ use serde_json::{Value, json};
 
 use super::{BUDGET, LEAST, report, setup};
 use crate::{Failure, python, shell};
-pub(crate) use edits::split_off_faces;
+pub(crate) use edits::{Holes, split_off_faces};
 pub(crate) use once::{Measured, fresh};
+pub(crate) use places::{Search, searches};
 use rows::{Peer, ROWS, Row};
 use table::{Outcome, Run};
-pub(crate) use task::{Family, Operation, Task};
+pub(crate) use task::{Family, Operation, Strategy, Task};
 
 /// What the results of this command are called, beside those of the sums.
 const ENDING: &str = "-arrangements";

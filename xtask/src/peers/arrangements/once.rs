@@ -8,7 +8,7 @@ use std::time::Instant;
 use serde_json::{Value, json};
 
 use super::task::{Curves, Operand, Operation, Task};
-use super::{edits, ours};
+use super::{edits, ours, places};
 use crate::bench::peak_kib;
 use crate::{Failure, shell};
 
@@ -26,7 +26,7 @@ impl std::fmt::Display for Counts {
     }
 }
 
-/// Cells where points were located, or that curves met, each as often as it was found.
+/// Cells where points were located, that curves met, or that are straight above or below something, each as often as it was found.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Located {
     pub(super) vertices: usize,
@@ -41,7 +41,7 @@ pub(super) struct Located {
 pub(super) struct Found {
     /// Vertices and edges of splits included, as peers count.
     pub(super) counts: Counts,
-    /// For location and zones only.
+    /// For location, zones and walls only.
     pub(super) located: Option<Located>,
     /// Of the operation alone, by [`timed`].
     pub(super) seconds: f64,
@@ -163,6 +163,11 @@ fn perform(operation: Operation, operands: &[Operand]) -> Result<Found, Failure>
         (Operation::Locate, [input, Operand { curves: Curves::Points(points), .. }]) => {
             ours::locate(&input.curves, points)
         }
+        (Operation::Prepare(strategy), [input]) => places::prepare(&input.curves, strategy),
+        (Operation::Ask(strategy, question), [input, Operand { curves: Curves::Points(points), .. }]) => {
+            places::ask(&input.curves, points, strategy, question)
+        }
+        (Operation::Decompose, [input]) => places::decompose(&input.curves),
         _ => Err(format!("operands do not fit: {operation}").into()),
     }
 }

@@ -1,7 +1,7 @@
 //! The tasks of the table, what must be found, who else runs, and what must be reached.
 
 use super::once::Counts;
-use super::task::{Family, Operation, Task};
+use super::task::{Family, Operation, Question, Strategy, Task};
 
 /// Another program.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -78,6 +78,8 @@ pub(super) struct Row {
     pub(super) zone: Option<usize>,
     pub(super) peers: &'static [Peer],
     pub(super) requirements: &'static [Requirement],
+    /// How many microseconds a query may take at most.
+    pub(super) microseconds: Option<f64>,
 }
 
 /// History may cost a third of the time without it.
@@ -95,8 +97,11 @@ const fn counts(vertices: usize, edges: usize, faces: usize) -> Counts {
     Counts { vertices, edges, faces }
 }
 
+/// The arrangement of 300 long segments.
+const LONG_300: Counts = counts(11_235, 21_570, 10_340);
+
 /// All rows. The counts are those of CGAL 5.5.1; those of `long1000` were found by brute force, too.
-pub(super) const ROWS: [Row; 14] = [
+pub(super) const ROWS: [Row; 26] = [
     Row {
         name: "long1000",
         task: task(Operation::Build, Family::Long, 1_000),
@@ -104,6 +109,7 @@ pub(super) const ROWS: [Row; 14] = [
         zone: None,
         peers: &[Peer::Cgal],
         requirements: &[times(4.0, Peer::Cgal)],
+        microseconds: None,
     },
     Row {
         name: "long3000",
@@ -115,6 +121,7 @@ pub(super) const ROWS: [Row; 14] = [
             times(4.0, Peer::Cgal),
             Requirement { factor: 3.0, measure: Measure::Memory, than: Peer::Cgal },
         ],
+        microseconds: None,
     },
     Row {
         name: "short100000",
@@ -123,6 +130,7 @@ pub(super) const ROWS: [Row; 14] = [
         zone: None,
         peers: &[Peer::Cgal, Peer::Geos],
         requirements: &[times(4.0, Peer::Cgal), times(1.0, Peer::Geos)],
+        microseconds: None,
     },
     Row {
         name: "lines1000",
@@ -131,6 +139,7 @@ pub(super) const ROWS: [Row; 14] = [
         zone: None,
         peers: &[Peer::Cgal],
         requirements: &[times(4.0, Peer::Cgal)],
+        microseconds: None,
     },
     Row {
         name: "polylines1000",
@@ -139,6 +148,7 @@ pub(super) const ROWS: [Row; 14] = [
         zone: None,
         peers: &[Peer::Cgal],
         requirements: &[times(4.0, Peer::Cgal)],
+        microseconds: None,
     },
     Row {
         name: "overlay1000",
@@ -147,6 +157,7 @@ pub(super) const ROWS: [Row; 14] = [
         zone: None,
         peers: &[Peer::Cgal],
         requirements: &[times(6.0, Peer::Cgal)],
+        microseconds: None,
     },
     Row {
         name: "locate10000",
@@ -155,6 +166,7 @@ pub(super) const ROWS: [Row; 14] = [
         zone: None,
         peers: &[Peer::Cgal],
         requirements: &[times(4.0, Peer::Cgal)],
+        microseconds: None,
     },
     Row {
         name: "insert10000",
@@ -163,6 +175,7 @@ pub(super) const ROWS: [Row; 14] = [
         zone: None,
         peers: &[Peer::Cgal],
         requirements: &[times(100.0, Peer::Cgal)],
+        microseconds: None,
     },
     Row {
         name: "insert1000",
@@ -171,6 +184,7 @@ pub(super) const ROWS: [Row; 14] = [
         zone: None,
         peers: &[Peer::Cgal],
         requirements: &[times(3.0, Peer::Cgal)],
+        microseconds: None,
     },
     Row {
         name: "zone100",
@@ -179,6 +193,7 @@ pub(super) const ROWS: [Row; 14] = [
         zone: Some(308),
         peers: &[Peer::Cgal],
         requirements: &[times(100.0, Peer::Cgal)],
+        microseconds: None,
     },
     Row {
         name: "zone100long",
@@ -187,6 +202,7 @@ pub(super) const ROWS: [Row; 14] = [
         zone: Some(8_210),
         peers: &[Peer::Cgal],
         requirements: &[times(100.0, Peer::Cgal)],
+        microseconds: None,
     },
     Row {
         name: "history1000",
@@ -195,6 +211,7 @@ pub(super) const ROWS: [Row; 14] = [
         zone: None,
         peers: &[Peer::Plain, Peer::Cgal],
         requirements: &[times(PLAIN, Peer::Plain)],
+        microseconds: None,
     },
     Row {
         name: "history10000",
@@ -203,6 +220,7 @@ pub(super) const ROWS: [Row; 14] = [
         zone: None,
         peers: &[Peer::Plain],
         requirements: &[times(PLAIN, Peer::Plain)],
+        microseconds: None,
     },
     Row {
         name: "inserthistory1000",
@@ -211,5 +229,114 @@ pub(super) const ROWS: [Row; 14] = [
         zone: None,
         peers: &[Peer::Plain, Peer::Cgal],
         requirements: &[times(PLAIN, Peer::Plain)],
+        microseconds: None,
+    },
+    Row {
+        name: "trapezoids100000",
+        task: task(Operation::Prepare(Strategy::Trapezoids), Family::Short(14), 100_000),
+        counts: counts(312_962, 325_924, 36_065),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[times(10.0, Peer::Cgal)],
+        microseconds: None,
+    },
+    Row {
+        name: "ask100000",
+        task: task(Operation::Ask(Strategy::Trapezoids, Question::Cell), Family::Short(14), 100_000),
+        counts: counts(312_962, 325_924, 36_065),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[],
+        microseconds: None,
+    },
+    Row {
+        name: "together100000",
+        task: task(Operation::Ask(Strategy::Trapezoids, Question::Cells), Family::Short(14), 100_000),
+        counts: counts(312_962, 325_924, 36_065),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[],
+        microseconds: Some(1.5),
+    },
+    Row {
+        name: "ray100000",
+        task: task(Operation::Ask(Strategy::Trapezoids, Question::Above), Family::Short(14), 100_000),
+        counts: counts(312_962, 325_924, 36_065),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[],
+        microseconds: None,
+    },
+    Row {
+        name: "trapezoids300",
+        task: task(Operation::Prepare(Strategy::Trapezoids), Family::Long, 300),
+        counts: LONG_300,
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[times(10.0, Peer::Cgal)],
+        microseconds: None,
+    },
+    Row {
+        name: "ask300",
+        task: task(Operation::Ask(Strategy::Trapezoids, Question::Cell), Family::Long, 300),
+        counts: LONG_300,
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[],
+        microseconds: Some(0.8),
+    },
+    Row {
+        name: "ray300",
+        task: task(Operation::Ask(Strategy::Trapezoids, Question::Above), Family::Long, 300),
+        counts: LONG_300,
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[],
+        microseconds: None,
+    },
+    Row {
+        name: "landmarks10000",
+        task: task(Operation::Ask(Strategy::Landmarks, Question::Cell), Family::Short(15), 10_000),
+        counts: counts(24_539, 19_078, 584),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[times(100.0, Peer::Cgal)],
+        microseconds: None,
+    },
+    Row {
+        name: "makelandmarks10000",
+        task: task(Operation::Prepare(Strategy::Landmarks), Family::Short(15), 10_000),
+        counts: counts(24_539, 19_078, 584),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[],
+        microseconds: None,
+    },
+    Row {
+        name: "walk10000",
+        task: task(Operation::Ask(Strategy::Walk, Question::Cell), Family::Short(15), 10_000),
+        counts: counts(24_539, 19_078, 584),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[],
+        microseconds: None,
+    },
+    Row {
+        name: "naive10000",
+        task: task(Operation::Ask(Strategy::Naive, Question::Cell), Family::Short(15), 10_000),
+        counts: counts(24_539, 19_078, 584),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[],
+        microseconds: None,
+    },
+    Row {
+        name: "decompose100000",
+        task: task(Operation::Decompose, Family::Short(14), 100_000),
+        counts: counts(312_962, 325_924, 36_065),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[times(4.0, Peer::Cgal)],
+        microseconds: None,
     },
 ];

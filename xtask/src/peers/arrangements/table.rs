@@ -87,6 +87,12 @@ fn ratio(outcome: &Outcome, requirement: &Requirement) -> Option<f64> {
     Some(theirs.amount(requirement.measure) / outcome.ours.as_ref()?.amount(requirement.measure))
 }
 
+/// Microseconds that we need for a query; nothing where none is asked or we did not run.
+fn microseconds(outcome: &Outcome) -> Option<f64> {
+    let queries = outcome.row.task.operation.queries()?;
+    Some(1e6 * outcome.ours.as_ref()?.measured.seconds / queries as f64)
+}
+
 /// Prints one block for each row.
 pub(super) fn print(outcomes: &[Outcome]) {
     for outcome in outcomes {
@@ -111,6 +117,11 @@ pub(super) fn print(outcomes: &[Outcome]) {
             let Requirement { factor, measure, than } = requirement;
             println!("  {factor} times {measure} than {than}: {reached}");
         }
+        match (microseconds(outcome), outcome.row.microseconds) {
+            (Some(needed), Some(most)) => println!("  at most {most} us a query: {needed:.3}"),
+            (Some(needed), None) => println!("  us a query: {needed:.3}"),
+            (None, _) => {}
+        }
     }
     println!();
 }
@@ -128,6 +139,13 @@ pub(super) fn failures(outcome: &Outcome) -> Vec<String> {
                 failures.push(format!("{name}: {ratio:.2} times {measure} than {than}, {factor} is asked"));
             }
             None => failures.push(format!("{name}: {measure} than {than} is not known")),
+        }
+    }
+    if let Some(most) = outcome.row.microseconds {
+        match microseconds(outcome) {
+            Some(needed) if needed <= most => {}
+            Some(needed) => failures.push(format!("{name}: {needed:.3} us a query, {most} are allowed")),
+            None => failures.push(format!("{name}: the time of a query is not known")),
         }
     }
     failures
@@ -154,6 +172,7 @@ pub(super) fn record(outcome: &Outcome) -> Value {
         "task": outcome.row.task.words().join(" "),
         "runs": runs,
         "requirements": requirements,
+        "microseconds": { "a_query": microseconds(outcome), "at_most": outcome.row.microseconds },
         "troubles": outcome.troubles,
     })
 }

@@ -12,8 +12,9 @@ const FIRST: u64 = 1;
 const SECOND: u64 = 2;
 /// Curves whose zones are asked for.
 const CROSSING: usize = 100;
-/// Points that are located, and their seed.
+/// Points that are located, fewer where each costs more, and their seed.
 const QUERIES: usize = 10_000;
+const FEW_QUERIES: usize = 200;
 const QUERY_SEED: u64 = 1_000;
 
 /// What is done; the drivers of peers have the same words.
@@ -39,6 +40,32 @@ pub(crate) enum Operation {
     Overlay,
     /// Batched location of points in an arrangement that exists.
     Locate,
+    /// What a strategy does before it is asked about points of an arrangement that exists.
+    Prepare(Strategy),
+    /// One point after the other, by a strategy that is ready.
+    Ask(Strategy, Question),
+    /// Vertical decomposition of an arrangement that exists.
+    Decompose,
+}
+
+/// How cells are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Strategy {
+    Naive,
+    Walk,
+    Landmarks,
+    Trapezoids,
+}
+
+/// What is asked about a point.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Question {
+    /// Where it lies.
+    Cell,
+    /// Where it lies, and where others do that are handed over together.
+    Cells,
+    /// What a ray up meets first.
+    Above,
 }
 
 /// Which curves of `testkit` are drawn.
@@ -79,27 +106,52 @@ pub(super) struct Operand {
     pub(super) hash: u64,
 }
 
+/// All operations, in the words of the drivers.
+const WORDS: [(&str, Operation); 19] = [
+    ("build", Operation::Build),
+    ("insert", Operation::Insert),
+    ("remove", Operation::Remove),
+    ("ready", Operation::Ready),
+    ("history", Operation::History),
+    ("insert-history", Operation::InsertHistory),
+    ("zone", Operation::Zone),
+    ("zone-long", Operation::ZoneLong),
+    ("overlay", Operation::Overlay),
+    ("locate", Operation::Locate),
+    ("make-landmarks", Operation::Prepare(Strategy::Landmarks)),
+    ("make-trapezoids", Operation::Prepare(Strategy::Trapezoids)),
+    ("naive", Operation::Ask(Strategy::Naive, Question::Cell)),
+    ("walk", Operation::Ask(Strategy::Walk, Question::Cell)),
+    ("landmarks", Operation::Ask(Strategy::Landmarks, Question::Cell)),
+    ("trapezoids", Operation::Ask(Strategy::Trapezoids, Question::Cell)),
+    ("trapezoids-together", Operation::Ask(Strategy::Trapezoids, Question::Cells)),
+    ("ray", Operation::Ask(Strategy::Trapezoids, Question::Above)),
+    ("decompose", Operation::Decompose),
+];
+
 impl Operation {
-    /// Whether it finds cells for queries, which are compared.
+    /// Whether it finds cells, which are compared.
     pub(super) fn finds_cells(self) -> bool {
-        matches!(self, Operation::Locate | Operation::Zone | Operation::ZoneLong)
+        use Operation::{Ask, Decompose, Locate, Zone, ZoneLong};
+        matches!(self, Locate | Ask(..) | Zone | ZoneLong | Decompose)
+    }
+
+    /// How many points it asks about, if it does.
+    pub(super) fn queries(self) -> Option<usize> {
+        match self {
+            // Every cell is looked at for each, or all that is around the faces on the way.
+            Operation::Ask(Strategy::Naive | Strategy::Walk, _) => Some(FEW_QUERIES),
+            Operation::Locate | Operation::Ask(..) => Some(QUERIES),
+            _ => None,
+        }
     }
 }
 
 impl std::fmt::Display for Operation {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.write_str(match self {
-            Operation::Build => "build",
-            Operation::Insert => "insert",
-            Operation::Remove => "remove",
-            Operation::Ready => "ready",
-            Operation::History => "history",
-            Operation::InsertHistory => "insert-history",
-            Operation::Zone => "zone",
-            Operation::ZoneLong => "zone-long",
-            Operation::Overlay => "overlay",
-            Operation::Locate => "locate",
-        })
+        let (word, _) =
+            WORDS.iter().find(|(_, operation)| operation == self).expect("the table has all operations");
+        f.write_str(word)
     }
 }
 
@@ -149,19 +201,8 @@ impl Task {
     /// # Errors
     /// If a word is not one of them.
     pub(super) fn parse([operation, family, count]: [&str; 3]) -> Result<Task, Failure> {
-        let operation = match operation {
-            "build" => Operation::Build,
-            "insert" => Operation::Insert,
-            "remove" => Operation::Remove,
-            "ready" => Operation::Ready,
-            "history" => Operation::History,
-            "insert-history" => Operation::InsertHistory,
-            "zone" => Operation::Zone,
-            "zone-long" => Operation::ZoneLong,
-            "overlay" => Operation::Overlay,
-            "locate" => Operation::Locate,
-            _ => return Err(format!("no such operation: {operation}").into()),
-        };
+        let known = WORDS.iter().find(|(word, _)| *word == operation);
+        let (_, operation) = *known.ok_or_else(|| format!("no such operation: {operation}"))?;
         let bits = || family.strip_prefix('s')?.parse().ok().filter(|bits| (1..=20).contains(bits));
         let family = match family {
             "long" => Family::Long,
@@ -180,22 +221,17 @@ impl Task {
     /// One operand, or two.
     pub(super) fn operands(&self) -> Vec<Operand> {
         let first = self.family.operand(self.count, FIRST);
-        match self.operation {
-            Operation::Build
-            | Operation::Insert
-            | Operation::Remove
-            | Operation::Ready
-            | Operation::History
-            | Operation::InsertHistory => vec![first],
-            Operation::Zone => vec![first, self.family.operand(CROSSING, SECOND)],
-            Operation::ZoneLong => vec![first, Family::Long.operand(CROSSING, SECOND)],
-            Operation::Overlay => vec![first, self.family.operand(self.count, SECOND)],
-            Operation::Locate => {
-                let Drawn { objects, hash } = query_points(QUERIES, QUERY_SEED);
-                let name = format!("points_{QUERIES}_{QUERY_SEED}");
-                vec![first, Operand { name, curves: Curves::Points(objects), hash }]
-            }
-        }
+        let second = match self.operation {
+            Operation::Zone => Some(self.family.operand(CROSSING, SECOND)),
+            Operation::ZoneLong => Some(Family::Long.operand(CROSSING, SECOND)),
+            Operation::Overlay => Some(self.family.operand(self.count, SECOND)),
+            other => other.queries().map(|count| {
+                let Drawn { objects, hash } = query_points(count, QUERY_SEED);
+                let name = format!("points_{count}_{QUERY_SEED}");
+                Operand { name, curves: Curves::Points(objects), hash }
+            }),
+        };
+        [first].into_iter().chain(second).collect()
     }
 }
 
@@ -226,23 +262,10 @@ impl Curves {
 mod tests {
     use super::*;
 
-    const OPERATIONS: [Operation; 10] = [
-        Operation::Build,
-        Operation::Insert,
-        Operation::Remove,
-        Operation::Ready,
-        Operation::History,
-        Operation::InsertHistory,
-        Operation::Zone,
-        Operation::ZoneLong,
-        Operation::Overlay,
-        Operation::Locate,
-    ];
-
     #[test]
     fn words_are_read_back() {
         let families = [Family::Long, Family::Short(9), Family::Lines, Family::Polylines];
-        for operation in OPERATIONS {
+        for (_, operation) in WORDS {
             for family in families {
                 let task = Task { operation, family, count: 12 };
                 let words = task.words();

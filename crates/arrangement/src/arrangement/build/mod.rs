@@ -63,6 +63,9 @@ pub(crate) struct Builder<'s, P> {
     pub(crate) last_vertex: VertexId,
 }
 
+/// The [corner face](crate::Arrangement::corner_face) of what a sweep made: that of the first gap.
+pub(crate) const CORNER_FACE: FaceId = FaceId(0);
+
 /// The cells that a sweep made.
 #[derive(Debug)]
 pub(crate) struct Built<P> {

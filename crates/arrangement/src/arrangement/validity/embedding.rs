@@ -33,14 +33,16 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
             edges: &edges,
             vertices: &vertices,
             is_special: self.points.iter().map(Option::is_none).collect(),
+            corner: self.corner_face(),
             bottom: self.corner_face(),
+            is_first: true,
             met: vec![0; self.dcel.vertex_bound()],
             on_images: Vec::new(),
             limit,
             found,
         };
         let flow = sweep(&self.traits, &self.topology, &input, &mut visitor);
-        let Checker { met, on_images, bottom: last, .. } = visitor;
+        let Checker { met, on_images, corner: first, bottom: last, .. } = visitor;
         for (site, e) in on_images {
             let is_there = |v: &VertexId| match (self.point(*v), input.site(site as usize).point()) {
                 (Some(p), Some(q)) => self.traits.is_same_point(p, q),
@@ -53,7 +55,6 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         }
         // A side to which nothing comes is in the first face of all, or in the last one.
         let [left, right, bottom, top] = self.topology.side_vertices();
-        let first = self.corner_face();
         for (side, face) in [(left, first), (right, last), (bottom, first), (top, last)] {
             let Some(v) = side.map(VertexId) else { continue };
             if let Some(by_cells) = self.dcel.isolated_face(v).filter(|&by_cells| by_cells != face) {
@@ -84,8 +85,12 @@ struct Checker<'a> {
     edges: &'a [EdgeId],
     vertices: &'a [Option<VertexId>],
     is_special: Vec<bool>,
+    /// The corner face: as the arrangement says, or after the first event as that says.
+    corner: FaceId,
     /// The face below all strands.
     bottom: FaceId,
+    /// Whether nothing was met so far.
+    is_first: bool,
     /// For each vertex, how many ends of edges were met there.
     met: Vec<u32>,
     /// Images of vertices on other sides through which an edge passes.
@@ -132,8 +137,26 @@ impl Checker<'_> {
         })
     }
 
+    /// The face at the corner, as the first of all vertices says, if it can.
+    fn face_at_corner(&self, v: VertexId, location: Location, right: &[EdgeId]) -> Option<FaceId> {
+        let is_bottom = location.u == Along::Inside && location.v == Along::Low;
+        match right {
+            [] => self.dcel.isolated_face(v),
+            // What is left of a curve that rises from the bottom side is above it.
+            [.., last] if is_bottom => Some(self.above(*last)),
+            [first, ..] => Some(self.below(*first)),
+        }
+    }
+
     /// The faces around an event, as the strands next to it say.
     fn check_faces(&mut self, v: VertexId, location: Location, strands: &Strands) {
+        if std::mem::take(&mut self.is_first)
+            && let Some(face) = self.face_at_corner(v, location, &strands.right)
+            && face != self.corner
+        {
+            self.found.push(Violation::CornerFace(self.corner));
+            (self.corner, self.bottom) = (face, face);
+        }
         let below = strands.below.map_or(self.bottom, |e| self.above(e));
         let after_left = self.check_gaps(v, strands.left.iter().copied(), below);
         let is_bottom = location.u == Along::Inside && location.v == Along::Low;

@@ -31,10 +31,16 @@ pub enum Violation {
     PointMissing(VertexId),
     /// The vertex stands for a side of the parameter space, and has a point.
     PointOnSide(VertexId),
+    /// The traits know the point of the vertex by other coordinates: see
+    /// [`BasicTraits::is_canonical`](crate::traits::BasicTraits::is_canonical).
+    NotCanonical(VertexId),
     /// The vertex is marked as one at which curves were cut, but does not join two edges.
     Artificial(VertexId),
     /// The edge has a support that is not there.
     Support(EdgeId),
+    /// The support of the edge is no curve of these traits: see
+    /// [`BasicTraits::is_own_curve`](crate::traits::BasicTraits::is_own_curve).
+    ForeignSupport(EdgeId),
     /// The vertex of the edge does not lie on its support.
     OffSupport(VertexId, EdgeId),
     /// The min vertex of the edge is not less than its max vertex.
@@ -53,6 +59,8 @@ pub enum Violation {
     Overlap(EdgeId, EdgeId),
     /// What is at or beside the vertex lies in the first face by the cells, and in the second one by the geometry.
     WrongFace(VertexId, FaceId, FaceId),
+    /// The face is said to be the [corner face](Arrangement::corner_face), and is none or does not have the corner.
+    CornerFace(FaceId),
     /// The sweep did not come to the vertex, or not with its edges.
     Unseen(VertexId),
 }
@@ -66,8 +74,12 @@ impl fmt::Display for Violation {
             }
             Self::PointMissing(v) => write!(f, "vertex {} has no point", v.0),
             Self::PointOnSide(v) => write!(f, "vertex {} stands for a side, and has a point", v.0),
+            Self::NotCanonical(v) => {
+                write!(f, "the point of vertex {} does not have the coordinates of the surface", v.0)
+            }
             Self::Artificial(v) => write!(f, "vertex {} is artificial, and does not join two edges", v.0),
             Self::Support(e) => write!(f, "the support of edge {} does not exist", e.0),
+            Self::ForeignSupport(e) => write!(f, "the support of edge {} is a curve of another surface", e.0),
             Self::OffSupport(v, e) => write!(f, "vertex {} is not on the support of its edge {}", v.0, e.0),
             Self::EndOrder(e) => write!(f, "the min vertex of edge {} is not less than its max vertex", e.0),
             Self::Rotation(v) => write!(f, "the halfedges around vertex {} are not in order", v.0),
@@ -79,6 +91,7 @@ impl fmt::Display for Violation {
             Self::WrongFace(v, by_cells, found) => {
                 write!(f, "at vertex {} face {} is said to be where face {} is", v.0, by_cells.0, found.0)
             }
+            Self::CornerFace(face) => write!(f, "face {} does not have the corner of the surface", face.0),
             Self::Unseen(v) => write!(f, "a sweep does not come to vertex {} with its edges", v.0),
         }
     }
@@ -112,6 +125,9 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         if !are_complete {
             found.push(Violation::Records);
         }
+        if !self.dcel.has_face(self.corner_face) {
+            found.push(Violation::CornerFace(self.corner_face));
+        }
         if !found.is_empty() {
             return found;
         }
@@ -141,12 +157,20 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
                 (false, true) => found.push(Violation::PointMissing(v)),
                 _ => {}
             }
+            if self.point(v).is_some_and(|point| !self.traits.is_canonical(point)) {
+                found.push(Violation::NotCanonical(v));
+            }
             if self.is_artificial[v.index()] && self.dcel.degree(v) < 2 {
                 found.push(Violation::Artificial(v));
             }
         }
-        let edges = self.dcel.edges().filter(|e| self.supports[e.index()] as usize >= self.curves.len());
-        found.extend(edges.map(Violation::Support));
+        for e in self.dcel.edges() {
+            match self.curves.get(self.supports[e.index()] as usize) {
+                None => found.push(Violation::Support(e)),
+                Some(curve) if !self.traits.is_own_curve(curve) => found.push(Violation::ForeignSupport(e)),
+                Some(_) => {}
+            }
+        }
     }
 
     fn check_edges(&self, found: &mut Vec<Violation>) {

@@ -3,8 +3,12 @@
 use super::Violation as V;
 use crate::CurveId;
 use crate::arrangement::Arrangement;
-use crate::models::{Linear, LinearTraits, Segment, SegmentTraits};
-use crate::topology::{BoundedPlane, UnboundedPlane};
+use crate::editor::Editor;
+use crate::models::polycurve::PolycurveTraits;
+use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusSegmentTraits};
+use crate::random::{Numbers, random_cylinder, random_lines, random_paths, random_segments};
+use crate::topology::{BoundedPlane, FlatTorus, Topology, UnboundedPlane};
+use crate::traits::{BasicTraits, UMonotoneTraits};
 use dcel::{EdgeId, FaceId, VertexId};
 use exact::planar::Point2;
 
@@ -78,6 +82,68 @@ fn records() {
     assert_eq!(bad.check_valid(), []);
     bad.points[0] = Some(Point2::from_i64([3, 0]));
     assert_eq!(bad.check_valid(), [V::PointOnSide(VertexId(0))]);
+}
+
+#[test]
+fn records_of_another_torus() {
+    let traits =
+        |periods: [i64; 2]| TorusSegmentTraits::new(periods.map(Into::into)).expect("periods are positive");
+    let (small, large) = (traits([4, 3]), traits([9, 3]));
+    let start = Point2::from_i64([1, 1]);
+    let path =
+        |traits: &TorusSegmentTraits| traits.path(&start, &[2.into(), 1.into()]).expect("the path is short");
+    let points = [Point2::from_i64([0, 2])];
+    let good = Arrangement::of_curves_and_points(small.clone(), FlatTorus, [&path(&small)], points);
+    assert_eq!(good.check_valid(), []);
+    let v = good.vertices().find(|&v| good.dcel.isolated_face(v).is_some()).expect("a point is isolated");
+    for (at, is_inside) in
+        [([3, 1], true), ([4, 2], false), ([3, 3], false), ([-1, 0], false), ([0, -1], false)]
+    {
+        let mut other = good.clone();
+        other.points[v.index()] = Some(Point2::from_i64(at));
+        let expected = if is_inside { vec![] } else { vec![V::NotCanonical(v)] };
+        assert_eq!(other.check_valid(), expected, "{at:?}");
+        let made = Arrangement::from_parts(small.clone(), FlatTorus, other.into_parts());
+        assert_eq!(made.is_ok(), is_inside, "{at:?}");
+    }
+    // A segment with the same ends, of a torus that is wider; and of an equal one.
+    let mut other = good.clone();
+    let foreign = Arrangement::of_curves(large.clone(), FlatTorus, [&path(&large)]);
+    other.curves.clone_from(&foreign.curves);
+    assert_eq!(other.check_valid(), [V::ForeignSupport(EdgeId(0))]);
+    let equal = traits([4, 3]);
+    other.curves.clone_from(&Arrangement::of_curves(equal.clone(), FlatTorus, [&path(&equal)]).curves);
+    assert_eq!(other.check_valid(), []);
+    // Polycurves pass both questions on to their pieces.
+    let (small, large) = (PolycurveTraits::new(small), PolycurveTraits::new(large));
+    let chain = |traits: &PolycurveTraits<TorusSegmentTraits>| {
+        let line = traits.make_cover_polyline([[1, 1], [3, 2]].map(Point2::from_i64)).expect("a polyline");
+        Arrangement::of_curves(traits.clone(), FlatTorus, [&line]).curves[0].clone()
+    };
+    assert!(small.is_own_curve(&chain(&small)) && !small.is_own_curve(&chain(&large)));
+    assert!(small.is_canonical(&Point2::from_i64([3, 2])) && !small.is_canonical(&Point2::from_i64([4, 2])));
+}
+
+/// What debug builds say of points and curves of another rectangle, instead of a wrong answer later.
+#[cfg(debug_assertions)]
+#[test]
+fn debug_builds_refuse_points_and_curves_of_another_torus() {
+    use std::panic::{AssertUnwindSafe, catch_unwind};
+    let [small, large] = [[4, 3], [9, 3]].map(|periods: [i64; 2]| {
+        TorusSegmentTraits::new(periods.map(Into::into)).expect("periods are positive")
+    });
+    let outside = Point2::from_i64([5, 1]);
+    let path = large.path(&outside, &[2.into(), 1.into()]).expect("the path is short");
+    let empty = Arrangement::new(small, FlatTorus);
+    let editor = || Editor::new(empty.clone());
+    let refuses = |call: &dyn Fn()| catch_unwind(AssertUnwindSafe(call)).is_err();
+    assert!(refuses(&|| _ = crate::locate_by_sweep(&empty, std::slice::from_ref(&outside))));
+    assert!(refuses(&|| _ = empty.clone().insert_points([outside.clone()])));
+    assert!(refuses(&|| _ = empty.clone().insert_curves([&path])));
+    assert!(refuses(&|| _ = editor().locate(&outside)));
+    assert!(refuses(&|| _ = editor().insert_point(&outside)));
+    assert!(refuses(&|| _ = editor().insert_curve(&path)));
+    assert!(refuses(&|| _ = editor().zone_cells_of(&path)));
 }
 
 #[test]
@@ -165,4 +231,31 @@ fn faces() {
     bad.dcel.move_ccb(hole, FaceId(0));
     let found = bad.check_valid();
     assert!(!found.is_empty() && found.iter().all(|v| matches!(v, V::WrongFace(..))), "{found:?}");
+}
+
+fn check_corner_faces<G: UMonotoneTraits, T: Topology<G>>(mut arrangement: Arrangement<G, T>) -> usize {
+    let corner = arrangement.corner_face();
+    assert_eq!(arrangement.check_valid(), []);
+    let faces: Vec<FaceId> = (0..=arrangement.dcel.face_bound()).map(FaceId::new).collect();
+    for &f in faces.iter().filter(|&&f| f != corner) {
+        arrangement.corner_face = f;
+        assert_eq!(arrangement.check_valid(), [V::CornerFace(f)]);
+    }
+    faces.len() - 1
+}
+
+/// Every other face is refused as the corner face, and so is one that is none.
+#[test]
+fn corner_faces() {
+    assert_eq!(check_corner_faces(plane(&SQUARES, &[[1, 1]])), 3);
+    assert_eq!(check_corner_faces(plane(&[], &[[1, 1]])), 1);
+    let mut refused = 0;
+    for seed in 1..60 {
+        let mut numbers = Numbers::of_seed(seed);
+        refused += check_corner_faces(random_segments(&mut numbers, 9).arrangement());
+        refused += check_corner_faces(random_lines(&mut numbers, 6).arrangement());
+        refused += check_corner_faces(random_paths(&mut numbers, 5).arrangement());
+        refused += check_corner_faces(random_cylinder(&mut numbers, 5).arrangement());
+    }
+    assert!(refused > 500, "{refused}");
 }

@@ -44,6 +44,7 @@ struct Snapshot {
     vertices: Vec<(VertexId, Option<Point2>, bool, Option<FaceId>)>,
     faces: Vec<FaceId>,
     supports: Vec<(EdgeId, u32)>,
+    corner_face: FaceId,
     ccb_count: usize,
 }
 
@@ -59,6 +60,7 @@ impl Snapshot {
             vertices: dcel.vertices().map(vertex).collect(),
             faces: dcel.faces().collect(),
             supports: dcel.edges().map(|e| (e, arrangement.supports[e.index()])).collect(),
+            corner_face: arrangement.corner_face(),
             ccb_count: dcel.ccb_count(),
         }
     }

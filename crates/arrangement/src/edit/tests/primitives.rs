@@ -85,6 +85,9 @@ fn every_primitive() {
     script.run(Edit::SetCcbKind { ccb, kind: CcbKind::Outer });
     let triangle = script.run(Edit::SplitFace { ccb }).face();
     assert_eq!(script.arrangement.dcel().face(ac.halfedge().twin()), triangle);
+    script.run(Edit::SetCornerFace { face: triangle });
+    assert_eq!(script.arrangement.corner_face(), triangle);
+    script.run(Edit::SetCornerFace { face: plane });
     let point = |x, y| Point2::from_i64([x, y]);
     let d = script
         .run(Edit::AddIsolatedVertex { point: point(3, 1), is_artificial: false, face: plane })
@@ -137,15 +140,26 @@ fn every_primitive() {
     for survivor in [Side::Even, Side::Odd] {
         let edges: Vec<_> = script.arrangement.dcel().around(l).map(|h| h.edge_id()).collect();
         let e = *edges.iter().find(|&&e| e != at_l).expect("there are loops");
+        let face = script.arrangement.dcel().face(e.half(survivor));
+        script.run(Edit::SetCornerFace { face });
         script.run(Edit::RemoveEdge { e, ends: [EndFate::Remove; 2], survivor });
     }
     script.run(Edit::RemoveEdge { e: at_l, ends: [EndFate::Isolate; 2], survivor: Side::Odd });
     script.run(Edit::RemoveIsolatedVertex { v: l });
     let outside = script.arrangement.dcel().face(ac.halfedge());
+    script.run(Edit::SetCornerFace { face: outside });
     script.run(Edit::MergeFaces { kept: outside, gone: triangle });
     let names: Vec<&str> = script.names.iter().map(String::as_str).collect();
-    assert_eq!(names.len(), 21, "every variant: {names:?}");
+    assert_eq!(names.len(), 22, "every variant: {names:?}");
     script.take_all_back();
+}
+
+#[test]
+#[should_panic(expected = "the corner face does not go")]
+fn the_corner_face_does_not_go() {
+    let mut arrangement = plane(&[[0, 0, 4, 0], [0, 0, 4, 4], [4, 0, 4, 4]], &[]);
+    let kept = arrangement.dcel().faces().find(|&f| f != arrangement.corner_face()).expect("there are two");
+    arrangement.apply(Edit::MergeFaces { kept, gone: arrangement.corner_face() }, &mut ());
 }
 
 /// An operation of several primitives is taken back at once.

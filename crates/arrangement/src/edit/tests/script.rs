@@ -62,7 +62,7 @@ impl Step<'_> {
             _ if self.arrangement.curves().is_empty() => return None,
             _ => crate::CurveId(self.rng.below(self.arrangement.curves().len()) as u32),
         };
-        let edit = match self.rng.below(15) {
+        let edit = match self.rng.below(16) {
             0 => {
                 let (face, kind) = (self.face(), self.kind());
                 let ends = [self.vertex_in(face), self.vertex_in(face)];
@@ -108,7 +108,12 @@ impl Step<'_> {
             7..10 => {
                 let e = self.halfedge()?.edge_id();
                 let ends = [0; 2].map(|_| [EndFate::Isolate, EndFate::Remove][self.rng.below(2)]);
-                Edit::RemoveEdge { e, ends, survivor: [Side::Even, Side::Odd][self.rng.below(2)] }
+                let sides = [Side::Even, Side::Odd];
+                let survivor = sides[self.rng.below(2)];
+                let faces = sides.map(|side| self.arrangement.dcel().face(e.half(side)));
+                let kept = self.arrangement.dcel().face(e.half(survivor));
+                self.keep_corner(kept, faces);
+                Edit::RemoveEdge { e, ends, survivor }
             }
             10 => {
                 let (e, v) = (self.halfedge()?.edge_id(), self.bare_vertex());
@@ -128,11 +133,13 @@ impl Step<'_> {
                     _ => Edit::MoveCcb { ccb, face },
                 }
             }
-            13 => {
+            13 => Edit::SetCornerFace { face: self.face() },
+            14 => {
                 let (kept, gone) = (self.face(), self.face());
                 if kept == gone || self.arrangement.dcel().face_ccbs(gone).next().is_none() {
                     return None;
                 }
+                self.keep_corner(kept, [kept, gone]);
                 Edit::MergeFaces { kept, gone }
             }
             _ => {
@@ -151,6 +158,15 @@ impl Step<'_> {
         };
         self.arrangement.apply(edit, self.watch);
         Some(())
+    }
+
+    /// Of two faces that become one, the other one is not the corner face.
+    fn keep_corner(&mut self, kept: FaceId, faces: [FaceId; 2]) {
+        if faces.contains(&self.arrangement.corner_face()) && self.rng.below(2) == 0
+            || faces.iter().any(|&f| f != kept && f == self.arrangement.corner_face())
+        {
+            self.arrangement.apply(Edit::SetCornerFace { face: kept }, self.watch);
+        }
     }
 
     fn bare_vertex(&mut self) -> VertexId {

@@ -102,6 +102,9 @@ impl<G: BasicTraits, T: Topology<G>> Before<'_, G, T> {
                 known(Inverse::Edit(Edit::MoveIsolatedVertex { v, face }))
             }
             Edit::SetCcbKind { ccb, .. } => known(self.kind(self.dcel.ccb_halfedge(ccb))),
+            Edit::SetCornerFace { .. } => {
+                known(Inverse::Edit(Edit::SetCornerFace { face: self.arrangement.corner_face() }))
+            }
             Edit::SetSupport { e, .. } => known(self.support(e)),
             Edit::SetPoint { v, .. } => {
                 let point = self.arrangement.point(v);

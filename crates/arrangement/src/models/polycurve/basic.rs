@@ -16,6 +16,21 @@ impl<S: PieceTraits> BasicTraits for PolycurveTraits<S> {
     }
 
     #[inline]
+    fn order_range(&self, p: &Self::Point) -> (u64, u32) {
+        self.pieces.order_range(p)
+    }
+
+    #[inline]
+    fn is_canonical(&self, p: &Self::Point) -> bool {
+        self.pieces.is_canonical(p)
+    }
+
+    /// Each piece is.
+    fn is_own_curve(&self, curve: &Self::UMonotoneCurve) -> bool {
+        curve.pieces().iter().all(|piece| self.pieces.is_own_curve(piece))
+    }
+
+    #[inline]
     fn compare_u(&self, p: &Self::Point, q: &Self::Point) -> Ordering {
         self.pieces.compare_u(p, q)
     }

@@ -4,8 +4,8 @@ use super::{Chain, PieceTraits, PolycurveTraits};
 use crate::traits::{
     ApproxTraits, BoundaryTraits, BoundedTraits, ClosedBottomTopTraits, ClosedLeftRightTraits,
     ContractedBottomTopTraits, ContractedLeftRightTraits, CurveEnd, IdentifiedBottomTopTraits,
-    IdentifiedLeftRightTraits, Location, NearBottomTopTraits, NearLeftRightTraits, OpenBottomTopTraits,
-    OpenLeftRightTraits,
+    IdentifiedLeftRightTraits, LandmarkTraits, Location, NearBottomTopTraits, NearLeftRightTraits,
+    OpenBottomTopTraits, OpenLeftRightTraits,
 };
 use std::cmp::Ordering;
 
@@ -67,6 +67,12 @@ impl<S: PieceTraits + IdentifiedBottomTopTraits> IdentifiedBottomTopTraits for P
 
     fn compare_u_on_bottom_top(&self, p: &Self::Point, q: &Self::Point) -> Ordering {
         self.pieces.compare_u_on_bottom_top(p, q)
+    }
+}
+
+impl<S: PieceTraits + LandmarkTraits> LandmarkTraits for PolycurveTraits<S> {
+    fn approx_to_point(&self, parameters: [f64; 2]) -> Option<Self::Point> {
+        self.pieces.approx_to_point(parameters)
     }
 }
 

@@ -57,6 +57,15 @@ fn compare_v_with_ends(p: &Point2, curve: &impl Straight) -> Ordering {
     }
 }
 
+/// See [`crate::traits::BasicTraits::side_key`].
+#[inline]
+pub(super) fn side_key(curve: &impl Straight) -> [u32; 3] {
+    let line = curve.line();
+    let line: &Line2 = line.borrow();
+    // What is beside a vertical piece is told by its ends.
+    if line.is_vertical() { [0; 3] } else { line.side_key() }
+}
+
 /// Compares two pieces right of a common point. A vertical line is the steepest of all.
 #[inline]
 pub(super) fn compare_v_at_u_right(a: &impl Straight, b: &impl Straight) -> Ordering {
@@ -205,6 +214,11 @@ macro_rules! straight_traits {
             }
 
             #[inline]
+            fn order_range(&self, p: &Self::Point) -> (u64, u32) {
+                p.order_range()
+            }
+
+            #[inline]
             fn compare_u(&self, p: &Self::Point, q: &Self::Point) -> std::cmp::Ordering {
                 exact::planar::compare_x(p, q)
             }
@@ -236,6 +250,16 @@ macro_rules! straight_traits {
             #[inline]
             fn compare_v_at_u_right(&self, a: &$curve, b: &$curve, _: &Self::Point) -> std::cmp::Ordering {
                 $crate::models::straight::compare_v_at_u_right(a, b)
+            }
+
+            #[inline]
+            fn side_key(&self, curve: &$curve) -> [u32; 3] {
+                $crate::models::straight::side_key(curve)
+            }
+
+            #[inline]
+            fn compare_v_at_u_by_key(&self, p: &Self::Point, key: &[u32; 3]) -> Option<std::cmp::Ordering> {
+                exact::planar::side_of_key(p, key).map(exact::Sign::ordering)
             }
 
             /// The steeper line is below to the left.
@@ -326,6 +350,12 @@ macro_rules! straight_traits {
                 out: &mut Vec<[f64; 2]>,
             ) {
                 $crate::models::straight::approx_curve(curve, [min, max], window, out);
+            }
+        }
+
+        impl $crate::traits::LandmarkTraits for $traits {
+            fn approx_to_point(&self, parameters: [f64; 2]) -> Option<Self::Point> {
+                Self::Point::from_f64s(parameters)
             }
         }
     };

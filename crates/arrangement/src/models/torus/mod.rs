@@ -24,10 +24,10 @@ pub use segment::TorusSegment;
 use super::straight::{self, Straight};
 use crate::traits::{
     Along, ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, CurveEnd, DirectionalTraits,
-    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, Location, Meeting, Multiplicity,
-    Piece, UMonotoneTraits, Window,
+    IdentifiedBottomTopTraits, IdentifiedLeftRightTraits, Intersection, LandmarkTraits, Location, Meeting,
+    Multiplicity, Piece, UMonotoneTraits, Window,
 };
-use exact::planar::{Point2, compare_x, compare_xy, compare_y};
+use exact::planar::{Point2, compare_x, compare_xy, compare_y, side_of_key};
 use exact::{Rational, Sign};
 use segment::Torus;
 use std::cmp::Ordering;
@@ -171,6 +171,11 @@ impl BasicTraits for TorusSegmentTraits {
     }
 
     #[inline]
+    fn order_range(&self, p: &Point2) -> (u64, u32) {
+        p.order_range()
+    }
+
+    #[inline]
     fn compare_u(&self, p: &Point2, q: &Point2) -> Ordering {
         compare_x(p, q)
     }
@@ -178,6 +183,17 @@ impl BasicTraits for TorusSegmentTraits {
     #[inline]
     fn compare_uv(&self, p: &Point2, q: &Point2) -> Ordering {
         compare_xy(p, q)
+    }
+
+    /// Coordinates are at least zero and below the periods.
+    fn is_canonical(&self, p: &Point2) -> bool {
+        let [origin, corner] = &self.torus.corners;
+        [compare_x, compare_y].iter().all(|compare| compare(p, origin).is_ge() && compare(p, corner).is_lt())
+    }
+
+    /// The periods are the same.
+    fn is_own_curve(&self, curve: &TorusSegment) -> bool {
+        curve.is_on(&self.torus)
     }
 
     #[inline]
@@ -199,6 +215,16 @@ impl BasicTraits for TorusSegmentTraits {
             return compare_y(p, curve.place(CurveEnd::Max));
         }
         straight::compare_v_at_u(p, curve)
+    }
+
+    #[inline]
+    fn side_key(&self, curve: &TorusSegment) -> [u32; 3] {
+        straight::side_key(curve)
+    }
+
+    #[inline]
+    fn compare_v_at_u_by_key(&self, p: &Point2, key: &[u32; 3]) -> Option<Ordering> {
+        side_of_key(p, key).map(Sign::ordering)
     }
 
     #[inline]
@@ -333,6 +359,12 @@ impl ApproxTraits for TorusSegmentTraits {
     ) {
         let ends = [(CurveEnd::Min, min), (CurveEnd::Max, max)];
         out.extend(ends.map(|(end, p)| Self::place_of(curve, end, p).approx_f64()));
+    }
+}
+
+impl LandmarkTraits for TorusSegmentTraits {
+    fn approx_to_point(&self, parameters: [f64; 2]) -> Option<Point2> {
+        Point2::from_f64s(parameters).map(|point| self.point(&point))
     }
 }
 

@@ -86,6 +86,11 @@ impl TorusSegment {
         Self { torus, line, places, locations, points, is_directed_right }
     }
 
+    /// Tells whether it is a segment on that torus.
+    pub(super) fn is_on(&self, torus: &Arc<Torus>) -> bool {
+        Arc::ptr_eq(&self.torus, torus) || self.torus.period == torus.period
+    }
+
     /// An end in the closed rectangle: on the right and top side, with the period as coordinate.
     #[inline]
     pub fn place(&self, end: CurveEnd) -> &Point2 {

@@ -1,18 +1,19 @@
 //! What has to hold after each step.
 
 use super::draw::Draw;
-use super::family::{Family, PieceOf};
+use super::drawn::{Drawn, PieceOf};
 use super::scan::{P, Scan, Stroke};
 use super::steps::World;
+use crate::family::Family;
 use dcel::{EdgeId, FaceId, HalfedgeId, VertexId};
 use exact::Rational;
 use exact::planar::Point2;
 use splitstar_arrangement::overlay::Cell;
-use splitstar_arrangement::{Arrangement, Pieces, locate_all};
+use splitstar_arrangement::{Arrangement, locate_by_sweep};
 
 pub(super) type Made<F> = Arrangement<<F as Family>::Traits, <F as Family>::Surface>;
 
-impl<F: Family> World<F> {
+impl<F: Drawn> World<F> {
     /// Checks the arrangement, the mirror, and where some points are found.
     pub(super) fn check(&self, draw: &mut Draw<'_>) {
         let arrangement = self.editor.arrangement();
@@ -31,12 +32,14 @@ impl<F: Family> World<F> {
             let place = strokes.and_then(|strokes| Some(draw.choose(&strokes)?.at(&half)));
             points.extend(place.map(|place| self.family.at(&place)));
         }
-        for (point, cell) in points.iter().zip(locate_all(arrangement, &points)) {
+        let cells = locate_by_sweep(arrangement, &points);
+        for (point, &cell) in points.iter().zip(&cells) {
             assert_eq!(self.editor.locate(point), cell, "at {point}, against one sweep");
             if let Some(expected) = scan.locate(point) {
                 assert_eq!(cell, expected, "at {point}, one sweep against a scan");
             }
         }
+        self.check_rays(&points, &cells);
     }
 
     /// A place in the interior of an edge.
@@ -49,7 +52,7 @@ impl<F: Family> World<F> {
 }
 
 /// Checks that two arrangements are the same, but for ids; and that their edges carry the same.
-pub(super) fn assert_alike<F: Family>(family: &F, found: &Made<F>, expected: &Made<F>) {
+pub(super) fn assert_alike<F: Drawn>(family: &F, found: &Made<F>, expected: &Made<F>) {
     assert_eq!(found.difference(expected), None);
     assert_eq!(found.counts(), expected.counts());
     assert_eq!(found.counts_with_splits(), expected.counts_with_splits());
@@ -62,7 +65,7 @@ pub(super) fn assert_alike<F: Family>(family: &F, found: &Made<F>, expected: &Ma
 type EndsOf = [Option<P>; 2];
 
 /// What the edges carry, with their ends.
-fn labels<F: Family>(family: &F, arrangement: &Made<F>) -> Vec<(EndsOf, Vec<u32>)> {
+fn labels<F: Drawn>(family: &F, arrangement: &Made<F>) -> Vec<(EndsOf, Vec<u32>)> {
     let of = |e: EdgeId| {
         let ends = arrangement.dcel().ends(e).map(|v| arrangement.point(v).map(Point2::coordinates));
         (ends, family.labels(arrangement.curve_of(e)))
@@ -70,20 +73,6 @@ fn labels<F: Family>(family: &F, arrangement: &Made<F>) -> Vec<(EndsOf, Vec<u32>
     let mut all: Vec<_> = arrangement.dcel().edges().map(of).collect();
     all.sort();
     all
-}
-
-/// The edges and isolated vertices of an arrangement, swept anew.
-pub(super) fn swept_again<F: Family>(arrangement: &Made<F>) -> Made<F> {
-    let dcel = arrangement.dcel();
-    let mut pieces = Pieces::<F::Traits>::new();
-    for e in dcel.edges() {
-        let is_artificial = dcel.ends(e).map(|v| arrangement.is_artificial(v));
-        pieces.push_piece(arrangement.make_edge_curve(e), is_artificial);
-    }
-    for v in arrangement.vertices().filter(|&v| dcel.outgoing(v).is_none()) {
-        pieces.push_point(arrangement.point(v).expect("it is a point").clone());
-    }
-    Arrangement::of_pieces(arrangement.traits().clone(), arrangement.topology().clone(), pieces)
 }
 
 /// All that must come back with its id if operations are taken back.
@@ -97,7 +86,7 @@ pub(super) struct Identities {
 }
 
 impl Identities {
-    pub(super) fn of<F: Family>(family: &F, arrangement: &Made<F>) -> Self {
+    pub(super) fn of<F: Drawn>(family: &F, arrangement: &Made<F>) -> Self {
         let dcel = arrangement.dcel();
         let point = |v| (v, arrangement.point(v).map(Point2::coordinates));
         let vertex = |v| (v, arrangement.is_artificial(v), dcel.isolated_face(v));

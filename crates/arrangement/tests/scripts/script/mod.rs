@@ -2,17 +2,19 @@
 //!
 //! The first bytes choose a family of curves and the grid of coordinates; then every step takes [`STEP`] bytes, so that a step can be
 //! dropped without a change of the others.
+//!
+//! The crate that has this module has `family` and `swept_again` of `tests/common` at its root.
 
 mod check;
 mod draw;
-mod family;
+mod drawn;
+mod rays;
 mod scan;
 mod steps;
 
+use crate::family::{Linears, MinimalSegments, Numbered, Polylinears, Polylines, Segments};
 use draw::Draw;
-use family::{
-    Family, Linears, MinimalSegments, Numbered, Polylinears, Polylines, Segments, Torus, TorusPolylines,
-};
+use drawn::{Drawn, Torus, TorusPolylines};
 pub(crate) use steps::Log;
 use steps::World;
 
@@ -50,7 +52,7 @@ pub(crate) fn run(bytes: &[u8], log: Log<'_>) {
     }
 }
 
-fn play<'a, F: Family>(family: F, steps: impl Iterator<Item = Draw<'a>>, takes_all_back: bool, log: Log<'_>) {
+fn play<'a, F: Drawn>(family: F, steps: impl Iterator<Item = Draw<'a>>, takes_all_back: bool, log: Log<'_>) {
     log(format!("{family:?}"));
     let mut world = World::new(family);
     for mut step in steps {

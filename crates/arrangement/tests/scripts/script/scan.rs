@@ -1,6 +1,6 @@
 //! Location by a scan over all cells in coordinates: no predicate of the library is asked.
 
-use super::family::Family;
+use super::drawn::Drawn;
 use dcel::{EdgeId, FaceId, VertexId};
 use exact::Rational;
 use exact::planar::Point2;
@@ -69,7 +69,7 @@ pub(super) struct Scan {
 }
 
 impl Scan {
-    pub(super) fn new<F: Family>(family: &F, arrangement: &Arrangement<F::Traits, F::Surface>) -> Self {
+    pub(super) fn new<F: Drawn>(family: &F, arrangement: &Arrangement<F::Traits, F::Surface>) -> Self {
         let dcel = arrangement.dcel();
         let strokes = |e| (e, family.strokes(&arrangement.make_edge_curve(e)));
         let edges: Vec<_> = dcel.edges().map(strokes).collect();

@@ -1,17 +1,21 @@
 //! What the steps of a script do.
 
-use super::check::{Identities, Made, assert_alike, face_of, swept_again};
+use super::check::{Identities, Made, assert_alike, face_of};
 use super::draw::Draw;
-use super::family::{CurveOf, Family, PieceOf};
+use super::drawn::{Drawn, PieceOf};
+use crate::family::{CurveOf, Family};
+use crate::swept_again::swept_again;
 use dcel::{EdgeId, EndFate, FaceId, VertexId};
 use splitstar_arrangement::edit::{Mirror, Undo};
+use splitstar_arrangement::location::TrapezoidalMap;
 use splitstar_arrangement::overlay::Cell;
 use splitstar_arrangement::traits::{
     ArrangementTraits, BasicTraits, CurveEnd, Intersection, Piece, UMonotoneTraits,
 };
-use splitstar_arrangement::{Arrangement, Editor, Pieces, locate_all};
+use splitstar_arrangement::{Arrangement, Editor, Pieces, locate_by_sweep};
 
-type Watched<F> = (Undo<<F as Family>::Traits>, Mirror<<F as Family>::Traits>);
+type Watched<F> =
+    (Undo<<F as Family>::Traits>, Mirror<<F as Family>::Traits>, TrapezoidalMap<<F as Family>::Traits>);
 
 /// Who writes down what is done.
 pub(crate) type Log<'a> = &'a mut dyn FnMut(String);
@@ -30,16 +34,16 @@ enum How {
 const MOST_EDGES: usize = 40;
 
 /// An arrangement that is edited, and what it was before each operation that can be taken back.
-pub(super) struct World<F: Family> {
+pub(super) struct World<F: Drawn> {
     pub(super) family: F,
     pub(super) editor: Editor<F::Traits, F::Surface, Watched<F>>,
     past: Vec<Made<F>>,
 }
 
-impl<F: Family> World<F> {
+impl<F: Drawn> World<F> {
     pub(super) fn new(family: F) -> Self {
         let empty = Arrangement::new(family.traits(), family.surface());
-        let observers = (Undo::new(&empty), Mirror::new(&empty));
+        let observers = (Undo::new(&empty), Mirror::new(&empty), TrapezoidalMap::new(&empty));
         let editor = Editor::with_observers(empty, observers).expect("the observers have just begun");
         Self { family, editor, past: Vec::new() }
     }
@@ -142,7 +146,7 @@ impl<F: Family> World<F> {
         let point = self.family.point(draw);
         let texts: Vec<String> = curves.iter().map(|curve| self.text(curve)).collect();
         log(format!("insert at once {texts:?} and {point}"));
-        self.editor.insert_all(&curves, [point]);
+        self.editor.insert_curves_and_points(&curves, [point]);
         self.forget();
     }
 
@@ -174,7 +178,7 @@ impl<F: Family> World<F> {
         // A curve without an end is not at the vertex of a side with it, for those who insert it.
         let cells = CurveEnd::BOTH.map(|end| {
             let point = traits.end_point(&curve, end)?;
-            Some(locate_all(arrangement, std::slice::from_ref(point))[0])
+            Some(locate_by_sweep(arrangement, std::slice::from_ref(point))[0])
         });
         let is_closed = match CurveEnd::BOTH.map(|end| traits.end_point(&curve, end)) {
             [Some(p), Some(q)] => traits.is_same_point(p, q),
@@ -350,6 +354,6 @@ impl<F: Family> World<F> {
     /// Checks that a sweep of what is there gives the same.
     fn check_swept(&self) {
         let arrangement = self.editor.arrangement();
-        assert_alike(&self.family, arrangement, &swept_again::<F>(arrangement));
+        assert_alike(&self.family, arrangement, &swept_again(arrangement));
     }
 }

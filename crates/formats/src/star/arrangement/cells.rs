@@ -1,6 +1,7 @@
 //! Vertices, edges and boundaries as they are read, and whether they fit together.
 
 use super::curves::malformed;
+use super::model::CellNumbers;
 use super::numbers::Numbers;
 use crate::base::error::Located;
 use dcel::{CcbId, CcbKind, FaceId, Halfedge, HalfedgeId, RawCcb, RawDcel, VertexId};
@@ -197,6 +198,12 @@ impl Cells {
             face_count: self.faces.len(),
             isolated,
         })
+    }
+
+    /// The numbers that the file has for its cells.
+    pub(super) fn into_numbers(self) -> CellNumbers {
+        let [vertices, edges, faces] = [self.vertices, self.edges, self.faces].map(Numbers::into_ids);
+        CellNumbers { special: self.special, vertices, edges, faces }
     }
 
     /// A vertex has edges, or stands in one face.

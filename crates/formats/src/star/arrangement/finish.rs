@@ -12,7 +12,7 @@ use arrangement::models::polycurve::PolycurveTraits;
 use arrangement::topology::{FlatTorus, UnboundedPlane};
 use arrangement::traits::CurveEnd;
 use arrangement::{Arrangement, Parts, Violation};
-use dcel::{CcbKind, Dcel, DcelViolation, VertexId};
+use dcel::{CcbKind, Dcel, DcelViolation, FaceId, VertexId};
 use exact::planar::{Line2, Point2};
 use std::mem::take;
 
@@ -20,7 +20,7 @@ use std::mem::take;
 pub(super) fn finish(
     curves: Curves,
     numbers: &Numbers,
-    cells: Cells,
+    cells: &mut Cells,
     end: u32,
 ) -> Result<StarArrangement, Located> {
     match curves {
@@ -49,10 +49,10 @@ fn arrangement_of<G: Family>(
     topology: G::Surface,
     curves: Vec<G::UMonotoneCurve>,
     numbers: &Numbers,
-    mut cells: Cells,
+    cells: &mut Cells,
     end: u32,
 ) -> Result<Arrangement<G, G::Surface>, Located> {
-    define_points::<G>(&curves, &mut cells);
+    define_points::<G>(&curves, cells);
     let raw = cells.raw_dcel(end)?;
     let parts = Parts {
         dcel: Dcel::from_parts(raw),
@@ -60,9 +60,11 @@ fn arrangement_of<G: Family>(
         is_artificial: take(&mut cells.is_artificial),
         curves,
         supports: cells.supports.clone(),
+        // The text begins with it.
+        corner_face: FaceId(0),
     };
     Arrangement::from_parts(traits, topology, parts).map_err(|violations| {
-        let said = violations.first().map(|violation| sentence(violation, &cells, numbers));
+        let said = violations.first().map(|violation| sentence(violation, cells, numbers));
         let (line, why) = said.unwrap_or_else(|| (None, "the cells contradict the curves".into()));
         malformed(line.unwrap_or(end), why)
     })
@@ -154,6 +156,10 @@ fn sentence(violation: &Violation, cells: &Cells, numbers: &Numbers) -> (Option<
                 vertex(v)
             );
             (cells.vertex_line(v), why)
+        }
+        Violation::CornerFace(f) => {
+            let why = format!("face {} is not the one at the lower left; write that first", face(f));
+            (Some(cells.faces.line(f.index())), why)
         }
         Violation::Cells(DcelViolation::VertexCycle(v)) => {
             (cells.vertex_line(v), format!("the boundaries do not run round {} in one turn", vertex(v)))

@@ -24,7 +24,8 @@ mod write;
 
 pub use family::StarText;
 pub use model::{
-    LinearArrangement, PolycurveArrangement, StarArrangement, TorusArrangement, TorusPolycurveArrangement,
+    CellNumbers, LinearArrangement, PolycurveArrangement, StarArrangement, TorusArrangement,
+    TorusPolycurveArrangement,
 };
-pub use read::read_arrangement;
+pub use read::{read_arrangement, read_numbered_arrangement};
 pub use write::write_arrangement;

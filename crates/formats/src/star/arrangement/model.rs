@@ -4,6 +4,7 @@ use arrangement::models::polycurve::PolycurveTraits;
 use arrangement::models::{LinearTraits, TorusSegmentTraits};
 use arrangement::topology::{FlatTorus, UnboundedPlane};
 use arrangement::{Arrangement, Counts};
+use dcel::{EdgeId, FaceId, VertexId};
 
 /// An arrangement of segments, rays and lines in the plane.
 pub type LinearArrangement = Arrangement<LinearTraits, UnboundedPlane>;
@@ -27,6 +28,43 @@ pub enum StarArrangement {
     Torus(TorusArrangement),
     /// Chains of straight paths on a flat torus.
     TorusPolycurves(TorusPolycurveArrangement),
+}
+
+/// The numbers that a file has for the cells of the arrangement that was read from it. They ascend with the ids, and may leave some
+/// out.
+#[derive(Clone, Debug)]
+pub struct CellNumbers {
+    /// 1 if there is a vertex at infinity, which is the first one and has no number.
+    pub(super) special: usize,
+    pub(super) vertices: Vec<u32>,
+    pub(super) edges: Vec<u32>,
+    pub(super) faces: Vec<u32>,
+}
+
+impl CellNumbers {
+    /// The number of a vertex; `None` at infinity.
+    ///
+    /// # Panics
+    /// If the arrangement, as it was read, has no such vertex.
+    pub fn vertex(&self, v: VertexId) -> Option<u32> {
+        Some(self.vertices[v.index().checked_sub(self.special)?])
+    }
+
+    /// The number of an edge.
+    ///
+    /// # Panics
+    /// If the arrangement, as it was read, has no such edge.
+    pub fn edge(&self, e: EdgeId) -> u32 {
+        self.edges[e.index()]
+    }
+
+    /// The number of a face.
+    ///
+    /// # Panics
+    /// If the arrangement, as it was read, has no such face.
+    pub fn face(&self, f: FaceId) -> u32 {
+        self.faces[f.index()]
+    }
 }
 
 impl StarArrangement {

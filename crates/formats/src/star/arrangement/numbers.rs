@@ -40,6 +40,11 @@ impl Numbers {
         self.ids.binary_search(&id).ok().map(|index| index as u32)
     }
 
+    /// All numbers, in the order of the records.
+    pub(super) fn into_ids(self) -> Vec<u32> {
+        self.ids
+    }
+
     /// How many records there are.
     pub(super) fn len(&self) -> usize {
         self.ids.len()

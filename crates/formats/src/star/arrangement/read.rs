@@ -3,7 +3,7 @@
 use super::cells::{self, Cells};
 use super::curves::{Curves, make_point, malformed, read_pair, read_torus_point};
 use super::finish::finish;
-use super::model::StarArrangement;
+use super::model::{CellNumbers, StarArrangement};
 use super::numbers::{Numbers, OF_NUMBER};
 use crate::base::budget::Budget;
 use crate::base::error::{At, Fault, Located, ReadError};
@@ -42,10 +42,36 @@ use dcel::{CcbKind, HalfedgeId, VertexId};
 /// # Ok::<(), splitstar_formats::ReadError>(())
 /// ```
 pub fn read_arrangement(bytes: &[u8], file_name: Option<&str>) -> Result<StarArrangement, ReadError> {
+    read_numbered_arrangement(bytes, file_name).map(|(arrangement, _)| arrangement)
+}
+
+/// Reads an arrangement as [`read_arrangement`] does, and tells which numbers its cells have in the file.
+///
+/// # Errors
+/// As for [`read_arrangement`].
+///
+/// # Complexity
+/// That of [`read_arrangement`].
+///
+/// ```
+/// use splitstar_formats::{StarArrangement, read_numbered_arrangement};
+///
+/// let text = b"star 1 arrangement\nsurface plane\nvertex 5 0 0\nvertex 7 1 2\nface 3\nisolated 5\nisolated 7\nend\n";
+/// let (arrangement, numbers) = read_numbered_arrangement(text, None)?;
+/// let StarArrangement::Linear(arrangement) = arrangement else { panic!("it has no polyline") };
+/// let of_vertices: Vec<_> = arrangement.vertices().map(|v| numbers.vertex(v)).collect();
+/// assert_eq!(of_vertices, [Some(5), Some(7)]);
+/// assert_eq!(numbers.face(arrangement.corner_face()), 3);
+/// # Ok::<(), splitstar_formats::ReadError>(())
+/// ```
+pub fn read_numbered_arrangement(
+    bytes: &[u8],
+    file_name: Option<&str>,
+) -> Result<(StarArrangement, CellNumbers), ReadError> {
     read_packed(bytes, file_name).map_err(|error| error.of_format(Format::Star))
 }
 
-fn read_packed(bytes: &[u8], file_name: Option<&str>) -> Result<StarArrangement, Located> {
+fn read_packed(bytes: &[u8], file_name: Option<&str>) -> Result<(StarArrangement, CellNumbers), Located> {
     let mut budget = Budget::of_file(bytes.len());
     if Format::of_content(bytes, bytes.len()) != Content::Gzip {
         return read_unpacked(bytes, file_name, &mut budget);
@@ -65,7 +91,7 @@ fn read_unpacked(
     bytes: &[u8],
     file_name: Option<&str>,
     budget: &mut Budget,
-) -> Result<StarArrangement, Located> {
+) -> Result<(StarArrangement, CellNumbers), Located> {
     if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
         return Err(unsupported("a text in UTF-16", "write it in UTF-8").into());
     }
@@ -99,7 +125,7 @@ const KEYWORD: &str = "`curve`, `vertex`, `edge`, `face`, `outer`, `inner`, `iso
 const VERTEX: &str = "the number of a vertex declared above";
 const HALFEDGE: &str = "an edge declared above with its sign, as `+0` or `-0`,";
 
-fn read_text(bytes: &[u8], budget: &mut Budget) -> Result<StarArrangement, Located> {
+fn read_text(bytes: &[u8], budget: &mut Budget) -> Result<(StarArrangement, CellNumbers), Located> {
     let mut lines = Lines::new(bytes);
     read_first_line(&mut lines, StarKind::Arrangement)?;
     let surface = lines.next_record();
@@ -126,7 +152,9 @@ fn read_text(bytes: &[u8], budget: &mut Budget) -> Result<StarArrangement, Locat
     if let Some((word, _)) = lines.next_record() {
         return Err(word.fault(|token| Fault::AfterEnd { token, end: "the arrangement".into() }));
     }
-    finish(reader.curves, &reader.curve_numbers, reader.cells, end)
+    let Reader { curves, curve_numbers, mut cells, .. } = reader;
+    let arrangement = finish(curves, &curve_numbers, &mut cells, end)?;
+    Ok((arrangement, cells.into_numbers()))
 }
 
 struct Reader<'b> {

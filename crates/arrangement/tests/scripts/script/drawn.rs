@@ -2,26 +2,19 @@
 
 use super::draw::Draw;
 use super::scan::{P, Stroke};
+use crate::family::{CurveOf, Family, Linears, MinimalSegments, Numbered, Polylinears, Polylines, Segments};
 use exact::Rational;
 use exact::planar::Point2;
 use splitstar_arrangement::models::polycurve::{Chain, Polycurve, PolycurveTraits};
 use splitstar_arrangement::models::{
-    Linear, LinearTraits, MinimalSegment, MinimalSegmentTraits, Segment, SegmentTraits, TorusPath,
-    TorusSegment, TorusSegmentTraits,
+    Linear, MinimalSegment, Segment, TorusPath, TorusSegment, TorusSegmentTraits,
 };
-use splitstar_arrangement::topology::{BoundedPlane, FlatTorus, Topology, UnboundedPlane};
-use splitstar_arrangement::traits::{ArrangementTraits, BasicTraits, CurveEnd};
-use splitstar_arrangement::wrappers::{ConsolidatedTraits, DataSet, WithData};
-use std::fmt::Debug;
+use splitstar_arrangement::topology::FlatTorus;
+use splitstar_arrangement::traits::{BasicTraits, CurveEnd};
+use splitstar_arrangement::wrappers::{DataSet, WithData};
 
-/// A family of curves on a surface.
-pub(super) trait Family: Debug {
-    type Traits: ArrangementTraits<Point = Point2, Curve: Debug, UMonotoneCurve: Debug> + Clone;
-    type Surface: Topology<Self::Traits>;
-
-    fn traits(&self) -> Self::Traits;
-    fn surface(&self) -> Self::Surface;
-
+/// A family whose curves bytes describe.
+pub(super) trait Drawn: Family {
     /// A curve that bytes describe; `None` if they describe none.
     fn curve(&self, draw: &mut Draw<'_>) -> Option<CurveOf<Self>>;
 
@@ -56,7 +49,6 @@ pub(super) trait Family: Debug {
     }
 }
 
-pub(super) type CurveOf<F> = <<F as Family>::Traits as ArrangementTraits>::Curve;
 pub(super) type PieceOf<F> = <<F as Family>::Traits as BasicTraits>::UMonotoneCurve;
 
 fn stroke_between(p: &Point2, q: &Point2) -> Stroke {
@@ -88,19 +80,7 @@ fn torus_stroke(curve: &TorusSegment) -> Stroke {
     stroke_between(curve.place(CurveEnd::Min), curve.place(CurveEnd::Max))
 }
 
-#[derive(Debug)]
-pub(super) struct Segments;
-
-impl Family for Segments {
-    type Traits = SegmentTraits;
-    type Surface = BoundedPlane;
-
-    fn traits(&self) -> SegmentTraits {
-        SegmentTraits
-    }
-    fn surface(&self) -> BoundedPlane {
-        BoundedPlane
-    }
+impl Drawn for Segments {
     fn curve(&self, draw: &mut Draw<'_>) -> Option<Segment> {
         Segment::new(draw.point(), draw.point())
     }
@@ -109,19 +89,7 @@ impl Family for Segments {
     }
 }
 
-#[derive(Debug)]
-pub(super) struct MinimalSegments;
-
-impl Family for MinimalSegments {
-    type Traits = MinimalSegmentTraits;
-    type Surface = BoundedPlane;
-
-    fn traits(&self) -> MinimalSegmentTraits {
-        MinimalSegmentTraits
-    }
-    fn surface(&self) -> BoundedPlane {
-        BoundedPlane
-    }
+impl Drawn for MinimalSegments {
     fn curve(&self, draw: &mut Draw<'_>) -> Option<MinimalSegment> {
         MinimalSegment::new(draw.point(), draw.point())
     }
@@ -131,20 +99,7 @@ impl Family for MinimalSegments {
     }
 }
 
-/// Segments that carry numbers.
-#[derive(Debug)]
-pub(super) struct Numbered;
-
-impl Family for Numbered {
-    type Traits = ConsolidatedTraits<SegmentTraits, u32>;
-    type Surface = BoundedPlane;
-
-    fn traits(&self) -> Self::Traits {
-        ConsolidatedTraits::consolidated(SegmentTraits)
-    }
-    fn surface(&self) -> BoundedPlane {
-        BoundedPlane
-    }
+impl Drawn for Numbered {
     fn curve(&self, draw: &mut Draw<'_>) -> Option<CurveOf<Self>> {
         let segment = Segments.curve(draw)?;
         Some(WithData::new(segment, DataSet::single(draw.below(4) as u32)))
@@ -161,19 +116,7 @@ impl Family for Numbered {
     }
 }
 
-#[derive(Debug)]
-pub(super) struct Linears;
-
-impl Family for Linears {
-    type Traits = LinearTraits;
-    type Surface = UnboundedPlane;
-
-    fn traits(&self) -> LinearTraits {
-        LinearTraits
-    }
-    fn surface(&self) -> UnboundedPlane {
-        UnboundedPlane
-    }
+impl Drawn for Linears {
     fn curve(&self, draw: &mut Draw<'_>) -> Option<Linear> {
         let (p, q) = (draw.point(), draw.point());
         match draw.below(4) {
@@ -187,20 +130,8 @@ impl Family for Linears {
     }
 }
 
-/// Polylines, some of them closed.
-#[derive(Debug)]
-pub(super) struct Polylines;
-
-impl Family for Polylines {
-    type Traits = PolycurveTraits<SegmentTraits>;
-    type Surface = BoundedPlane;
-
-    fn traits(&self) -> Self::Traits {
-        PolycurveTraits::new(SegmentTraits)
-    }
-    fn surface(&self) -> BoundedPlane {
-        BoundedPlane
-    }
+/// Some of them are closed.
+impl Drawn for Polylines {
     fn curve(&self, draw: &mut Draw<'_>) -> Option<Polycurve<Point2, Segment>> {
         let count = 2 + draw.below(4);
         let vertices: Vec<Point2> = (0..count).map(|_| draw.point()).collect();
@@ -215,20 +146,7 @@ impl Family for Polylines {
     }
 }
 
-/// Polylines that may begin and end with rays.
-#[derive(Debug)]
-pub(super) struct Polylinears;
-
-impl Family for Polylinears {
-    type Traits = PolycurveTraits<LinearTraits>;
-    type Surface = UnboundedPlane;
-
-    fn traits(&self) -> Self::Traits {
-        PolycurveTraits::new(LinearTraits)
-    }
-    fn surface(&self) -> UnboundedPlane {
-        UnboundedPlane
-    }
+impl Drawn for Polylinears {
     fn curve(&self, draw: &mut Draw<'_>) -> Option<Polycurve<Point2, Linear>> {
         let [p, q, r] = [draw.point(), draw.point(), draw.point()];
         let kind = draw.below(8);
@@ -268,6 +186,9 @@ impl Family for Torus {
     fn surface(&self) -> FlatTorus {
         FlatTorus
     }
+}
+
+impl Drawn for Torus {
     fn curve(&self, draw: &mut Draw<'_>) -> Option<TorusPath> {
         let start = self.point(draw);
         if draw.one_in(4) {
@@ -318,6 +239,9 @@ impl Family for TorusPolylines {
     fn surface(&self) -> FlatTorus {
         FlatTorus
     }
+}
+
+impl Drawn for TorusPolylines {
     fn curve(&self, draw: &mut Draw<'_>) -> Option<Polycurve<Point2, TorusSegment>> {
         let mut place = draw.point().coordinates();
         let mut vertices = vec![Point2::from_rationals(&place)];

@@ -1,0 +1,71 @@
+//! Whether the parts of a command line fit together.
+
+use super::names::{cells_of_name, encoding_of_name};
+use super::{Place, Run, Strategy, Surface, Verb, usage};
+use crate::failure::Failure;
+
+/// What only the whole command line shows.
+pub(super) fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
+    let verb = run.verb;
+    let (least, most) = match verb {
+        Verb::Sum => (2, usize::MAX),
+        Verb::Hull | Verb::Arrange => (1, usize::MAX),
+        Verb::Info | Verb::Convert => (1, 1),
+        Verb::Locate => (2, 2),
+    };
+    let count = run.operands.len();
+    if verb == Verb::Locate && count != 2 {
+        let wanted = "the file of an arrangement and a file of points";
+        return Err(usage(verb, format!("{wanted} expected, {count} given")));
+    }
+    if count < least {
+        let wanted = if least == 1 { "a file to read" } else { "two or more files to add" };
+        return Err(usage(verb, format!("{wanted} expected, {count} given")));
+    }
+    if count > most {
+        return Err(usage(verb, format!("one file to read expected, {count} given")));
+    }
+    if run.operands.iter().filter(|operand| **operand == Place::Standard).count() > 1 {
+        return Err(usage(verb, "standard input `-` can be read once only"));
+    }
+    if !matches!(verb, Verb::Info | Verb::Arrange | Verb::Locate) && run.output.is_none() {
+        return Err(usage(verb, "where to write is missing: -o OUT, or -o - for standard output"));
+    }
+    let named = match (&run.output, verb) {
+        (Some(output), Verb::Arrange) if run.cells.is_none() => cells_of_name(output).err(),
+        (Some(_), Verb::Arrange | Verb::Locate) => None,
+        (Some(output), _) if run.format.is_none() => encoding_of_name(output).err(),
+        (None, Verb::Arrange) if run.cells.is_some() => {
+            Some("`--format` says what to write, and where is missing: -o OUT".into())
+        }
+        _ => None,
+    };
+    if let Some(sentence) = named {
+        return Err(usage(verb, sentence));
+    }
+    if run.json && run.output == Some(Place::Standard) {
+        let what = match verb {
+            Verb::Arrange => "the arrangement",
+            Verb::Locate => "the answers",
+            _ => "the mesh",
+        };
+        let sentence = format!("`-o -` and `--json` both want standard output; write {what} to a file");
+        return Err(usage(verb, sentence));
+    }
+    if run.surface == Some(Surface::Plane) && run.period.is_some() {
+        return Err(usage(verb, "`--surface plane` and `--period` exclude each other"));
+    }
+    if given.contains(&"rotate") && given.contains(&"quat") {
+        return Err(usage(verb, "`--rotate` and `--quat` exclude each other"));
+    }
+    if run.strategy == Some(Strategy::Sweep) && run.ray.is_some() {
+        let others: Vec<&str> =
+            Strategy::ALL.into_iter().filter(|&other| other != Strategy::Sweep).map(Strategy::name).collect();
+        let sentence = format!(
+            "a sweep finds cells, not what a ray meets; give another strategy: {}",
+            others.join(", ")
+        );
+        return Err(usage(verb, sentence));
+    }
+    Ok(())
+}

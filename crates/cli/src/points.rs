@@ -1,0 +1,93 @@
+//! What `locate` reads: an arrangement with the numbers of its cells, and points.
+
+use crate::args::Place;
+use crate::console::Console;
+use crate::failure::Failure;
+use crate::input;
+use splitstar::exact::Rational;
+use splitstar::formats::{self, CellNumbers, PointFile, ReadError, StarArrangement};
+
+/// An arrangement that was read.
+pub(crate) struct ArrangementOperand {
+    pub(crate) arrangement: StarArrangement,
+    pub(crate) numbers: CellNumbers,
+}
+
+/// A file of points, with the name that messages give it.
+pub(crate) struct PointOperand {
+    pub(crate) name: String,
+    pub(crate) file: PointFile,
+}
+
+impl ArrangementOperand {
+    /// Reads and checks a star file or standard input.
+    pub(crate) fn read(place: &Place, console: &Console) -> Result<Self, Failure> {
+        let bytes = input::bytes(place, console, check_arrangement)?;
+        let name = place.shown();
+        let read = formats::read_numbered_arrangement(&bytes, place.file_name().as_deref());
+        let (arrangement, numbers) = read.map_err(|error| {
+            if input::is_of_curves(&bytes) {
+                let sentence = format!(
+                    "a file of curves, not an arrangement; `splitstar arrange {name} -o OUT.star` makes one"
+                );
+                return Failure::file(&name, None, sentence);
+            }
+            Failure::read(&name, &error)
+        })?;
+        console.step_done();
+        Ok(Self { arrangement, numbers })
+    }
+
+    /// The periods, if it lies on a torus.
+    fn period(&self) -> Option<&[Rational; 2]> {
+        match &self.arrangement {
+            StarArrangement::Torus(arrangement) => Some(arrangement.traits().period()),
+            StarArrangement::TorusPolycurves(arrangement) => Some(arrangement.traits().inner().period()),
+            _ => None,
+        }
+    }
+}
+
+impl PointOperand {
+    /// Reads and parses a file or standard input.
+    pub(crate) fn read(place: &Place, console: &Console) -> Result<Self, Failure> {
+        let bytes = input::bytes(place, console, check_points)?;
+        let name = place.shown();
+        let file = formats::read_points(&bytes, place.file_name().as_deref())
+            .map_err(|error| Failure::read(&name, &error))?;
+        console.step_done();
+        Ok(Self { name, file })
+    }
+
+    /// Tells what the reader had to leave out.
+    pub(crate) fn tell_notes(&self, console: &Console) {
+        self.file.notes.iter().for_each(|note| console.note(&self.name, None, &note.to_string()));
+    }
+
+    /// Refuses points of another torus than that of the arrangement, if they say of which they are.
+    pub(crate) fn check_period(&self, operand: &ArrangementOperand) -> Result<(), Failure> {
+        let Some(period) = &self.file.period else { return Ok(()) };
+        let shown = |[p, q]: &[Rational; 2]| format!("`period {p} {q}`");
+        let sentence = match operand.period() {
+            Some(other) if other == period => return Ok(()),
+            Some(other) => format!(
+                "its torus has {}, that of the arrangement has {}; make them one, or leave the record out",
+                shown(period),
+                shown(other)
+            ),
+            None => format!(
+                "it has points of a torus ({}), and the arrangement lies in the plane; leave the record out",
+                shown(period)
+            ),
+        };
+        Err(Failure::file(&self.name, None, sentence))
+    }
+}
+
+fn check_arrangement(start: &[u8], file_name: Option<&str>) -> Result<(), ReadError> {
+    input::check_lines(start, formats::read_arrangement(start, file_name))
+}
+
+fn check_points(start: &[u8], file_name: Option<&str>) -> Result<(), ReadError> {
+    input::check_lines(start, formats::read_points(start, file_name))
+}
