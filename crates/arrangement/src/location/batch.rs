@@ -21,7 +21,7 @@ pub enum BatchStrategy {
 /// Up to so many points are found before a sweep has begun to be of use.
 const FEW: usize = 2;
 
-/// From so many points for each vertex on, a sweep costs more than a search structure: it sorts them.
+/// From about so many points for each vertex on, a sweep costs more than a search structure: it sorts them.
 const MANY: usize = 8;
 
 impl BatchStrategy {

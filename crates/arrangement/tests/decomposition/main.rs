@@ -6,10 +6,10 @@ mod counts;
 mod holes;
 mod laws;
 #[path = "../surfaces/paths.rs"]
-#[allow(dead_code)]
+#[allow(dead_code, reason = "the tests of surfaces use all of it")]
 mod paths;
 #[path = "../surfaces/strip.rs"]
-#[allow(dead_code)]
+#[allow(dead_code, reason = "the tests of surfaces use all of it")]
 mod strip;
 mod strips;
 mod walls;
