@@ -68,17 +68,17 @@ fn every_requirement_can_fail() {
 
 #[test]
 fn slow_queries_fail() {
-    let row = row("ask100000");
+    let row = row("together100000");
     let with = |seconds: f64| {
         let mut record = printed(row, seconds, 100);
         record["located"] = json!({ "vertices": 1, "edges": 2, "faces": 9_997, "around": 5 });
         outcome(row, record.clone(), record)
     };
     assert_eq!(table::failures(&with(0.015)), Vec::<String>::new());
-    assert_eq!(table::failures(&with(0.0151)), ["ask100000: 1.510 us a query, 1.5 are allowed"]);
+    assert_eq!(table::failures(&with(0.0151)), ["together100000: 1.510 us a query, 1.5 are allowed"]);
     let mut missing = with(0.001);
     missing.ours = None;
-    assert_eq!(table::failures(&missing), ["ask100000: the time of a query is not known"]);
+    assert_eq!(table::failures(&missing), ["together100000: the time of a query is not known"]);
 }
 
 #[test]
