@@ -10,7 +10,7 @@ use crate::base::number::Number;
 use crate::base::places::Place;
 use crate::base::scan::Token;
 use exact::spherical::geographic::from_degrees;
-use exact::spherical::{Direction, GreatCircle, side_of_circle};
+use exact::spherical::{Direction, GreatCircle, is_antipodal, side_of_circle};
 use exact::{Integer, Rational, Sign, Vector3};
 use std::fmt;
 
@@ -61,11 +61,11 @@ impl fmt::Display for SphereFault {
 pub(crate) fn check_sphere_curve(curve: &SphereCurve) -> Result<(), SphereFault> {
     match curve {
         SphereCurve::Arc([source, target]) if source == target => Err(SphereFault::SameEnds),
-        SphereCurve::Arc([source, target]) if are_antipodal(source, target) => Err(SphereFault::Antipodal),
+        SphereCurve::Arc([source, target]) if is_antipodal(source, target) => Err(SphereFault::Antipodal),
         SphereCurve::ArcVia(points) => check_via(points),
         SphereCurve::Polyline(points) if points.len() < 2 => Err(SphereFault::TooShort),
         SphereCurve::Polyline(points) => {
-            match points.windows(2).any(|step| are_antipodal(&step[0], &step[1])) {
+            match points.windows(2).any(|step| is_antipodal(&step[0], &step[1])) {
                 true => Err(SphereFault::AntipodalStep),
                 false => Ok(()),
             }
@@ -88,10 +88,6 @@ fn check_via([source, via, target]: &[Direction; 3]) -> Result<(), SphereFault> 
     }
 }
 
-fn are_antipodal(p: &Direction, q: &Direction) -> bool {
-    *p == q.opposite()
-}
-
 impl Surface for Sphere {
     type Point = Direction;
     type Curve = SphereCurve;
@@ -112,7 +108,7 @@ impl Surface for Sphere {
     }
 
     fn check_step(from: &Direction, to: &Direction) -> Result<(), &'static str> {
-        if are_antipodal(from, to) { Err(ANTIPODAL_STEP) } else { Ok(()) }
+        if is_antipodal(from, to) { Err(ANTIPODAL_STEP) } else { Ok(()) }
     }
 
     fn of_point(point: Direction) -> SphereCurve {
