@@ -30,24 +30,28 @@ pub enum StarArrangement {
     TorusPolycurves(TorusPolycurveArrangement),
 }
 
-/// The numbers that a file has for the cells of the arrangement that was read from it. They ascend with the ids, and may leave some
-/// out.
+/// The numbers that a file has for the cells of the arrangement that was read from it. They ascend with the ids, but for those of
+/// vertices that stand for sides, and may leave some out.
 #[derive(Clone, Debug)]
 pub struct CellNumbers {
-    /// 1 if there is a vertex at infinity, which is the first one and has no number.
-    pub(super) special: usize,
+    /// Those of the vertices that stand for sides, which come first: none for infinity, nor for a pole at which nothing is.
+    pub(super) special: Vec<Option<u32>>,
+    /// Those of the other vertices.
     pub(super) vertices: Vec<u32>,
     pub(super) edges: Vec<u32>,
     pub(super) faces: Vec<u32>,
 }
 
 impl CellNumbers {
-    /// The number of a vertex; `None` at infinity.
+    /// The number of a vertex; `None` at infinity, and for a pole at which nothing is.
     ///
     /// # Panics
     /// If the arrangement, as it was read, has no such vertex.
     pub fn vertex(&self, v: VertexId) -> Option<u32> {
-        Some(self.vertices[v.index().checked_sub(self.special)?])
+        match v.index().checked_sub(self.special.len()) {
+            Some(index) => Some(self.vertices[index]),
+            None => self.special[v.index()],
+        }
     }
 
     /// The number of an edge.
