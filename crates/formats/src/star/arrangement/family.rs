@@ -3,7 +3,8 @@
 use super::around::Around;
 use super::course::Course;
 use super::model::{
-    LinearArrangement, PolycurveArrangement, StarArrangement, TorusArrangement, TorusPolycurveArrangement,
+    LinearArrangement, PolycurveArrangement, SphereArrangement, SpherePolycurveArrangement, StarArrangement,
+    TorusArrangement, TorusPolycurveArrangement,
 };
 use super::special::Special;
 use crate::base::budget::Budget;
@@ -11,7 +12,7 @@ use crate::base::error::Located;
 use crate::star::line::Line;
 use arrangement::Arrangement;
 use arrangement::models::polycurve::{Chain, PieceTraits, PolycurveTraits};
-use arrangement::models::{LinearTraits, TorusSegmentTraits};
+use arrangement::models::{GeodesicTraits, LinearTraits, TorusSegmentTraits};
 use arrangement::topology::Topology;
 use arrangement::traits::{CurveEnd, UMonotoneTraits};
 use dcel::{FaceId, VertexId};
@@ -146,6 +147,8 @@ star_text! {
     PolycurveArrangement, LinearTraits;
     TorusArrangement, TorusSegmentTraits;
     TorusPolycurveArrangement, TorusSegmentTraits;
+    SphereArrangement, GeodesicTraits;
+    SpherePolycurveArrangement, GeodesicTraits;
 }
 
 impl sealed::Sealed for StarArrangement {}
@@ -157,6 +160,8 @@ impl StarText for StarArrangement {
             Self::Polycurves(arrangement) => arrangement.star_text(),
             Self::Torus(arrangement) => arrangement.star_text(),
             Self::TorusPolycurves(arrangement) => arrangement.star_text(),
+            Self::Sphere(arrangement) => arrangement.star_text(),
+            Self::SpherePolycurves(arrangement) => arrangement.star_text(),
         }
     }
 }

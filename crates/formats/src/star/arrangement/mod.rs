@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `model` | the arrangements that a file can say |
 //! | `family` | what differs from one family of curves to the other |
-//! | `plane`, `torus` | the curves of each surface, written and read |
+//! | `plane`, `torus`, `sphere` | the curves of each surface, written and read |
 //! | `special` | vertices that stand for sides of the parameter space |
 //! | `course` | what the text has as one curve |
 //! | `write` | the one text of an arrangement |
@@ -26,13 +26,14 @@ mod numbers;
 mod plane;
 mod read;
 mod special;
+mod sphere;
 mod torus;
 mod write;
 
 pub use family::StarText;
 pub use model::{
-    CellNumbers, LinearArrangement, PolycurveArrangement, StarArrangement, TorusArrangement,
-    TorusPolycurveArrangement,
+    CellNumbers, LinearArrangement, PolycurveArrangement, SphereArrangement, SpherePolycurveArrangement,
+    StarArrangement, TorusArrangement, TorusPolycurveArrangement,
 };
 pub use read::{read_arrangement, read_numbered_arrangement};
 pub use write::write_arrangement;

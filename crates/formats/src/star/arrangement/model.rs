@@ -1,8 +1,8 @@
 //! The arrangements that a file can say.
 
 use arrangement::models::polycurve::PolycurveTraits;
-use arrangement::models::{LinearTraits, TorusSegmentTraits};
-use arrangement::topology::{FlatTorus, UnboundedPlane};
+use arrangement::models::{GeodesicTraits, LinearTraits, TorusSegmentTraits};
+use arrangement::topology::{FlatTorus, Sphere, UnboundedPlane};
 use arrangement::{Arrangement, Counts};
 use dcel::{EdgeId, FaceId, VertexId};
 
@@ -16,6 +16,12 @@ pub type TorusArrangement = Arrangement<TorusSegmentTraits, FlatTorus>;
 /// An arrangement of chains of straight paths on a flat torus.
 pub type TorusPolycurveArrangement = Arrangement<PolycurveTraits<TorusSegmentTraits>, FlatTorus>;
 
+/// An arrangement of geodesic arcs on the sphere.
+pub type SphereArrangement = Arrangement<GeodesicTraits, Sphere>;
+
+/// An arrangement of chains of geodesic arcs on the sphere.
+pub type SpherePolycurveArrangement = Arrangement<PolycurveTraits<GeodesicTraits>, Sphere>;
+
 /// An arrangement of any family of curves that a star file can hold.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
@@ -28,6 +34,10 @@ pub enum StarArrangement {
     Torus(TorusArrangement),
     /// Chains of straight paths on a flat torus.
     TorusPolycurves(TorusPolycurveArrangement),
+    /// Geodesic arcs on the sphere.
+    Sphere(SphereArrangement),
+    /// Chains of geodesic arcs on the sphere.
+    SpherePolycurves(SpherePolycurveArrangement),
 }
 
 /// The numbers that a file has for the cells of the arrangement that was read from it. They ascend with the ids, but for those of
@@ -79,6 +89,8 @@ impl StarArrangement {
             Self::Polycurves(arrangement) => arrangement.counts(),
             Self::Torus(arrangement) => arrangement.counts(),
             Self::TorusPolycurves(arrangement) => arrangement.counts(),
+            Self::Sphere(arrangement) => arrangement.counts(),
+            Self::SpherePolycurves(arrangement) => arrangement.counts(),
         }
     }
 
@@ -89,6 +101,8 @@ impl StarArrangement {
             Self::Polycurves(arrangement) => arrangement.counts_with_splits(),
             Self::Torus(arrangement) => arrangement.counts_with_splits(),
             Self::TorusPolycurves(arrangement) => arrangement.counts_with_splits(),
+            Self::Sphere(arrangement) => arrangement.counts_with_splits(),
+            Self::SpherePolycurves(arrangement) => arrangement.counts_with_splits(),
         }
     }
 }
@@ -114,5 +128,17 @@ impl From<TorusArrangement> for StarArrangement {
 impl From<TorusPolycurveArrangement> for StarArrangement {
     fn from(arrangement: TorusPolycurveArrangement) -> Self {
         Self::TorusPolycurves(arrangement)
+    }
+}
+
+impl From<SphereArrangement> for StarArrangement {
+    fn from(arrangement: SphereArrangement) -> Self {
+        Self::Sphere(arrangement)
+    }
+}
+
+impl From<SpherePolycurveArrangement> for StarArrangement {
+    fn from(arrangement: SpherePolycurveArrangement) -> Self {
+        Self::SpherePolycurves(arrangement)
     }
 }

@@ -14,7 +14,7 @@ use crate::format::{Content, Encoding, Format};
 use crate::gzip;
 use crate::star::first::{StarKind, read_first_line};
 use crate::star::line::{Line, Lines};
-use arrangement::models::{LinearTraits, TorusSegmentTraits};
+use arrangement::models::{GeodesicTraits, LinearTraits, TorusSegmentTraits};
 use dcel::{CcbKind, HalfedgeId, VertexId};
 
 /// Reads an arrangement from a file of the native format, kind `arrangement`: see `docs/star.md`. Gzip may be around it.
@@ -135,13 +135,14 @@ fn read_text(bytes: &[u8], budget: &mut Budget) -> Result<(StarArrangement, Cell
         return Err(Fault::Truncated { expected: "`surface` was expected".into() }.at(lines.last()));
     };
     if word.bytes != b"surface" {
-        return Err(word.unexpected("the second line `surface plane` or `surface torus P Q`"));
+        return Err(word.unexpected("the second line `surface plane`, `surface torus P Q` or `surface sphere DX DY`"));
     }
-    const SURFACE: &str = "`plane` or `torus`";
+    const SURFACE: &str = "`plane`, `torus` or `sphere`";
     let name = line.expect(SURFACE)?;
     match name.bytes {
         b"plane" => read_records::<LinearTraits>(line, lines, budget),
         b"torus" => read_records::<TorusSegmentTraits>(line, lines, budget),
+        b"sphere" => read_records::<GeodesicTraits>(line, lines, budget),
         _ => Err(name.unexpected(SURFACE)),
     }
 }
