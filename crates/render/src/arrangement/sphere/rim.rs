@@ -206,7 +206,7 @@ mod tests {
 
     #[test]
     fn without_chains_the_rim_is_there_or_not() {
-        let hole = vec![[0.0, 0.0], [0.0, 0.5], [0.5, 0.5]];
+        let hole = [[0.0, 0.0], [0.0, 0.5], [0.5, 0.5]];
         let rest =
             || Boundary { loops: vec![hole.iter().copied().chain([hole[0]]).collect()], chains: Vec::new() };
         assert!(rest().loop_area() < 0.0);
