@@ -311,7 +311,10 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
         "identification" => {
             let direction: [Rational; 2] = numbers(verb, "--identification", "X,Y", &value()?)?;
             if direction.iter().all(Rational::is_zero) {
-                return Err(usage(verb, "`--identification 0,0` is no direction; give another one, such as -1,0"));
+                return Err(usage(
+                    verb,
+                    "`--identification 0,0` is no direction; give another one, such as -1,0",
+                ));
             }
             run.identification = Some(direction);
         }

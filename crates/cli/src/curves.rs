@@ -53,8 +53,7 @@ fn read<F>(
 ) -> Result<(String, F), Failure> {
     let bytes = input::bytes(place, console, check)?;
     let name = place.shown();
-    let file =
-        read(&bytes, place.file_name().as_deref()).map_err(|error| Failure::read(&name, &error))?;
+    let file = read(&bytes, place.file_name().as_deref()).map_err(|error| Failure::read(&name, &error))?;
     console.step_done();
     Ok((name, file))
 }

@@ -58,7 +58,7 @@ impl ArrangementOperand {
     }
 
     fn is_on_sphere(&self) -> bool {
-        matches!(self.arrangement, StarArrangement::Sphere(_))
+        matches!(self.arrangement, StarArrangement::Sphere(_) | StarArrangement::SpherePolycurves(_))
     }
 
     /// The periods, if it lies on a torus.

@@ -8,8 +8,11 @@ use crate::curves::{CurveOperand, FlatOperand, SphereOperand, period, tell_notes
 use crate::failure::{Failure, one_line};
 use crate::output;
 use crate::report::{Clock, Seconds};
+use splitstar::arrangement::Arrangement;
 use splitstar::arrangement::models::{GeodesicTraits, TorusSegmentTraits};
 use splitstar::arrangement::sweep::Progress;
+use splitstar::arrangement::topology::Topology;
+use splitstar::arrangement::traits::ApproxTraits;
 use splitstar::formats::{self, CurveError, StarArrangement};
 use splitstar::render::{Frame, GlobeOptions, RenderError, Scene, SvgOptions};
 use std::ops::ControlFlow;
@@ -28,9 +31,7 @@ pub(crate) fn arrange(run: &Run) -> Result<(), Failure> {
             let traits = sphere(run);
             seconds.read = clock.lap();
             console.step(run.verb.name());
-            let make = |curves, tell: Tell<'_>| {
-                StarArrangement::of_sphere_curves_with(curves, traits, tell)
-            };
+            let make = |curves, tell: Tell<'_>| StarArrangement::of_sphere_curves_with(curves, traits, tell);
             arranged(operands, make, &console)?
         }
         _ => {
@@ -38,9 +39,7 @@ pub(crate) fn arrange(run: &Run) -> Result<(), Failure> {
             let period = period(&operands, run)?;
             seconds.read = clock.lap();
             console.step(run.verb.name());
-            let make = |curves, tell: Tell<'_>| {
-                StarArrangement::of_curves_with(curves, period, tell)
-            };
+            let make = |curves, tell: Tell<'_>| StarArrangement::of_curves_with(curves, period, tell);
             arranged(operands, make, &console)?
         }
     };
@@ -75,8 +74,7 @@ fn read_all<C>(
     console: &Console,
     read: fn(&Place, &Console) -> Result<CurveOperand<C>, Failure>,
 ) -> Result<Vec<CurveOperand<C>>, Failure> {
-    let operands: Vec<_> =
-        run.operands.iter().map(|place| read(place, console)).collect::<Result<_, _>>()?;
+    let operands: Vec<_> = run.operands.iter().map(|place| read(place, console)).collect::<Result<_, _>>()?;
     tell_notes(&operands, console);
     Ok(operands)
 }
@@ -148,14 +146,25 @@ fn scene(arrangement: &StarArrangement, view: Option<View>) -> Result<Scene, Ren
         StarArrangement::TorusPolycurves(arrangement) => {
             Scene::of_arrangement(arrangement, Some(rectangle(arrangement.traits().inner())?))
         }
-        StarArrangement::Sphere(arrangement) if view == Some(View::Unfolded) => {
-            Scene::of_arrangement(arrangement, None)
-        }
-        StarArrangement::Sphere(arrangement) => {
-            let [x, y, _] = arrangement.traits().identification().approx_f64();
-            Scene::of_globe(arrangement, &GlobeOptions::default().with_identification([x, y]))
+        StarArrangement::Sphere(arrangement) => sphere_scene(arrangement, arrangement.traits(), view),
+        StarArrangement::SpherePolycurves(arrangement) => {
+            sphere_scene(arrangement, arrangement.traits().inner(), view)
         }
         _ => unreachable!("no other arrangement is built"),
+    }
+}
+
+fn sphere_scene<G: ApproxTraits, T: Topology<G>>(
+    arrangement: &Arrangement<G, T>,
+    sphere: &GeodesicTraits,
+    view: Option<View>,
+) -> Result<Scene, RenderError> {
+    match view {
+        Some(View::Unfolded) => Scene::of_arrangement(arrangement, None),
+        Some(View::Globe) | None => {
+            let [x, y, _] = sphere.identification().approx_f64();
+            Scene::of_globe(arrangement, &GlobeOptions::default().with_identification([x, y])?)
+        }
     }
 }
 

@@ -81,6 +81,7 @@ fn chosen(points: usize, ray: Option<Ray>, arrangement: &StarArrangement) -> Str
         StarArrangement::Torus(arrangement) => BatchStrategy::choose(arrangement, points),
         StarArrangement::TorusPolycurves(arrangement) => BatchStrategy::choose(arrangement, points),
         StarArrangement::Sphere(arrangement) => BatchStrategy::choose(arrangement, points),
+        StarArrangement::SpherePolycurves(arrangement) => BatchStrategy::choose(arrangement, points),
         _ => unreachable!("no other arrangement is read"),
     };
     match batch {
@@ -116,7 +117,12 @@ impl Work<'_> {
                 self.find(arrangement, &points.iter().map(|point| traits.point(point)).collect::<Vec<_>>())
             }
             (StarArrangement::Sphere(arrangement), Points::Sphere(points)) => self.find(arrangement, &points),
-            _ => unreachable!("points are read as those of the arrangement, and no other arrangement is read"),
+            (StarArrangement::SpherePolycurves(arrangement), Points::Sphere(points)) => {
+                self.find(arrangement, &points)
+            }
+            _ => {
+                unreachable!("points are read as those of the arrangement, and no other arrangement is read")
+            }
         }
     }
 
