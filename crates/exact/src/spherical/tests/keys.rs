@@ -22,7 +22,7 @@ fn keys_tell_most_of_random_input() {
             assert!(ranges + 4 >= crossings.len(), "{bits} bits: {ranges}");
             let different: std::collections::HashSet<_> =
                 points.iter().map(|p| meridian.order_key(p)).collect();
-            assert!(bits < 20 || different.len() >= 396, "{bits} bits: {}", different.len());
+            assert!(bits < 20 || different.len() >= 390, "{bits} bits: {}", different.len());
         }
         let told = circles.iter().flat_map(|circle| points.iter().map(move |p| (p, circle)));
         let (mut asked, mut known) = (0, 0);

@@ -53,7 +53,12 @@ fn crossings_of_one_circle_are_compared_by_a_determinant() {
     let _guard = force(Start::Usual);
     // Wide enough to be kept, all through one point.
     let on = direction([(1 << 20) - 3, (1 << 20) - 7, 5]);
-    let others = [[1 << 20, 3, 5], [-7, 1 << 20, 11], [5, -9, (1 << 20) + 1], [1 << 19, -(1 << 19), 77]];
+    let others = [
+        [987_654, 3_333, 55_555],
+        [-77_777, 1_000_003, 11],
+        [5_432, -999_999, 765_432],
+        [524_287, -600_011, 77],
+    ];
     let [a, b, c, d] = others.map(|other| GreatCircle::through(&on, &direction(other)).unwrap());
     let crossing = |m: &GreatCircle, n: &GreatCircle| {
         let p = Direction::crossing(m, n).unwrap();
