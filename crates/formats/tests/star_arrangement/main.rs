@@ -9,6 +9,7 @@ mod overlaps;
 mod page;
 mod random;
 mod sphere;
+mod sphere_bad;
 
 use splitstar_formats::{StarArrangement, read_arrangement, write_arrangement};
 
