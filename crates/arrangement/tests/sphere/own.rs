@@ -2,10 +2,11 @@
 
 use crate::arcs::Curve;
 use crate::space::P;
+use dcel::VertexId;
 use exact::Vector3;
-use exact::spherical::Direction;
+use exact::spherical::{Direction, GreatCircle};
 use splitstar_arrangement::Arrangement;
-use splitstar_arrangement::models::{Geodesic, GeodesicTraits};
+use splitstar_arrangement::models::{Geodesic, GeodesicArc, GeodesicTraits};
 use splitstar_arrangement::topology::Sphere;
 
 pub(crate) type Globe = Arrangement<GeodesicTraits, Sphere>;
@@ -17,15 +18,15 @@ impl Curve {
             Self::Point(p) => Ok(Geodesic::point(direction(p))),
             Self::Short(p, q) => Geodesic::arc(direction(p), direction(q)),
             Self::Via(p, r, q) => Geodesic::arc_via(direction(p), &direction(r), direction(q)),
-            Self::Around(p, q, n) => Geodesic::arc_around(direction(p), direction(q), &vector(n)),
-            Self::Circle(n) => Geodesic::circle(&vector(n)),
+            Self::Around(p, q, n) => Geodesic::arc_around(direction(p), direction(q), great_circle(n)),
+            Self::Circle(n) => Ok(Geodesic::circle(great_circle(n))),
         };
         made.unwrap_or_else(|error| panic!("{self:?}: {error}"))
     }
 }
 
-pub(crate) fn vector(p: &P) -> Vector3 {
-    Vector3::new(p.clone())
+fn great_circle(normal: &P) -> GreatCircle {
+    GreatCircle::new(&Vector3::new(normal.clone())).expect("a normal is not zero")
 }
 
 pub(crate) fn direction(p: &P) -> Direction {
@@ -48,3 +49,12 @@ pub(crate) fn sweep(curves: &[Curve]) -> Globe {
     sweep_with(&GeodesicTraits::new(), curves)
 }
 
+
+/// The normal round which a piece goes counterclockwise from its min to its max end.
+pub(crate) fn normal_of(arc: &GeodesicArc) -> P {
+    arc.circle().coordinates()
+}
+
+pub(crate) fn coordinates(globe: &Globe, v: VertexId) -> P {
+    globe.point(v).expect("every vertex on a sphere is a point").coordinates()
+}

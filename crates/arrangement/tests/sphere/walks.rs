@@ -2,9 +2,11 @@
 
 use crate::arcs::{Arc, Curve};
 use crate::graph::{Graph, Place};
-use crate::space::{P, compare_way, cross, is_zero, north, opposite, orthogonal, primitive, turn};
+use crate::random::random_point;
+use crate::space::{P, between, compare_way, cross, is_zero, north, opposite, orthogonal, primitive, turn};
 use exact::Sign;
 use std::collections::BTreeSet;
+use testkit::Rng;
 
 /// Where an arc meets an edge or a vertex.
 struct Hit {
@@ -130,27 +132,61 @@ impl Graph {
         }
     }
 
-    /// All cells that a curve meets.
-    pub(crate) fn zone(&self, curve: &Curve) -> BTreeSet<Place> {
+    /// All cells that a curve meets, and whether it meets a vertex or an edge between its ends.
+    pub(crate) fn zone(&self, curve: &Curve) -> (BTreeSet<Place>, bool) {
         let arc = curve.arc();
-        let start = arc.start();
-        let mut zone = BTreeSet::from([self.locate(&start)]);
+        let start = self.locate(&arc.start());
+        let mut zone = BTreeSet::from([start]);
         if arc.is_point() {
-            return zone;
+            return (zone, false);
         }
-        for hit in self.hits(&arc) {
+        let hits = self.hits(&arc);
+        // If nothing is hit, it is all within one cell.
+        let mut is_met = hits.is_empty() && matches!(start, Place::Edge(_));
+        for hit in hits {
             let way = arc.forward(&hit.at);
-            let is_end = arc.ends.as_ref().is_some_and(|[a, b]| a != b && hit.at == *b);
-            let is_start = arc.ends.as_ref().is_some_and(|[a, b]| a != b && hit.at == *a);
-            if !is_end {
-                zone.insert(self.place_beside(&hit, &way));
+            let is_end = |end: usize| arc.ends.as_ref().is_some_and(|ends| ends[end] == hit.at);
+            let is_closed = is_end(0) && is_end(1);
+            for (end, way) in [opposite(&way), way].iter().enumerate() {
+                if is_closed || !is_end(end) {
+                    let beside = self.place_beside(&hit, way);
+                    is_met |= matches!(beside, Place::Edge(_));
+                    zone.insert(beside);
+                }
             }
-            if !is_start {
-                zone.insert(self.place_beside(&hit, &opposite(&way)));
-            }
+            is_met |= !is_end(0) && !is_end(1);
             zone.insert(self.seen(hit.place));
         }
-        zone
+        (zone, is_met)
+    }
+
+    /// Points of all cells: the vertices, points of each edge, and others that are straight above and below these, or opposite.
+    pub(crate) fn points(&self, rng: &mut Rng, most: usize) -> Vec<P> {
+        let mut all = self.vertices.clone();
+        for edge in &self.edges {
+            let [a, b] = edge.ends.as_ref().expect("edges have ends");
+            let ahead = primitive(&edge.forward(a));
+            let candidates =
+                [between(a, &ahead), opposite(&between(b, a)), ahead, opposite(a), between(&opposite(a), a)];
+            all.extend(candidates.into_iter().filter(|p| !is_zero(p) && edge.has_inside(p)));
+        }
+        rng.shuffle(&mut all);
+        all.truncate(most);
+        all.extend([north(), opposite(&north())]);
+        for _ in 0..most {
+            let other = random_point(rng, 4);
+            let known = rng.choose(&all).clone();
+            all.push(match rng.index(6) {
+                0 => other,
+                1 => [known[0].clone(), known[1].clone(), other[2].clone()],
+                2 => opposite(&known),
+                3 => [(-1).into(), 0.into(), other[2].clone()],
+                4 => [-&known[0], -&known[1], other[2].clone()],
+                _ => [0, 1, 2].map(|i| &known[i] + &other[i]),
+            });
+        }
+        all.retain(|p| !is_zero(p));
+        all.iter().map(primitive).collect()
     }
 }
 
