@@ -53,7 +53,7 @@ pub(crate) fn edge_key(normal: &P, ends: Option<[P; 2]>) -> EdgeKey {
 }
 
 /// The vertices of curves: ends, and crossings of all pairs.
-fn vertices_of(arcs: &[Arc]) -> BTreeSet<P> {
+pub(crate) fn vertices_of(arcs: &[Arc]) -> BTreeSet<P> {
     let mut vertices: BTreeSet<P> = arcs.iter().flat_map(|arc| arc.ends.clone()).flatten().collect();
     for (i, a) in arcs.iter().enumerate() {
         vertices.extend(arcs[..i].iter().flat_map(|b| a.crossings(b)));
@@ -61,8 +61,8 @@ fn vertices_of(arcs: &[Arc]) -> BTreeSet<P> {
     vertices
 }
 
-/// The edges along an arc.
-fn edges_along(arc: &Arc, vertices: &BTreeSet<P>) -> Vec<EdgeKey> {
+/// The edges along an arc between some vertices.
+pub(crate) fn edges_along(arc: &Arc, vertices: &BTreeSet<P>) -> Vec<EdgeKey> {
     let mut stops: Vec<P> = vertices.iter().filter(|v| arc.has(v)).cloned().collect();
     stops.sort_by(|a, b| arc.compare(a, b));
     let is_closed = arc.ends.as_ref().is_none_or(|[a, b]| a == b);

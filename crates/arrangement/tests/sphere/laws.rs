@@ -5,7 +5,7 @@ use crate::families::{Row, rows};
 use crate::graph::Graph;
 use crate::matching::Matching;
 use crate::own::{Globe, direction, sweep, sweep_with, traits_of};
-use crate::planar::{carried_rows, placements};
+use crate::planar;
 use crate::random::random_curves;
 use crate::space::{Matrix, at, image, is_pole, matrix, random_rotation, rotation};
 use exact::spherical::Direction;
@@ -60,7 +60,7 @@ fn families_of_the_sphere_turned() {
 
 #[test]
 fn families_of_the_plane_turned() {
-    let rows = placements().iter().flat_map(carried_rows).map(|mut row| {
+    let rows = planar::all_rows().into_iter().map(|mut row| {
         // At all placements it is one family.
         row.name = row.name.split(", from").next().unwrap_or_default().to_owned();
         row
@@ -122,7 +122,7 @@ fn move_identification(families: &BTreeMap<String, Vec<Vec<Curve>>>, count: usiz
 #[test]
 fn families_with_the_identification_elsewhere() {
     move_identification(&families(rows()), 20, 3);
-    move_identification(&families(placements().iter().flat_map(carried_rows).collect()), 20, 4);
+    move_identification(&families(planar::all_rows()), 20, 4);
 }
 
 #[test]

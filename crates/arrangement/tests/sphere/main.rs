@@ -1,48 +1,39 @@
-//! The sphere.
+//! The sphere: arcs of great circles, by every route and with every operation, against oracles.
+//!
+//! Curves are data (`arcs`), of families with stated counts (`families`, and those of the plane by central projection: `planar`), and
+//! random ones of small coordinates, so that everything degenerate happens (`random`). What the cells are, brute force tells in integer
+//! vectors (`space`, `graph`, `walks`), and the plane tells (`cube`): arcs are segments on the faces of a cube. `matching` says which
+//! cell is which, `routes` makes arrangements in every way, `laws` turns and mirrors them and moves the identification. `edits`,
+//! `zones`, `places`, `queries` and `chains` are about everything else.
 
 #![allow(clippy::unwrap_used)]
 
+#[path = "../location/agree.rs"]
+mod agree;
 mod arcs;
+mod chains;
 mod cube;
 #[path = "../harness/curves.rs"]
 #[allow(dead_code, reason = "the harness uses all of it")]
 mod curves;
+mod edits;
 mod families;
 mod graph;
+#[path = "../history/script.rs"]
+mod history;
+mod laws;
+mod laws_of_decompositions;
+mod matching;
+mod own;
+mod places;
 mod planar;
+mod queries;
 mod random;
+mod routes;
 #[path = "../harness/rows.rs"]
 mod rows;
 mod space;
+#[path = "../common/swept_again.rs"]
+mod swept_again;
 mod walks;
-
-use testkit::Rng;
-#[test]
-fn oracles_agree() {
-    let mut rng = Rng::new(1);
-    for case in 0..500 {
-        let seed = rng.state();
-        let range = [1,2,2,3,9][rng.index(5)];
-        let curves = random::random_curves(&mut rng, 1 + case % 9, range);
-        let graph = graph::Graph::new(&curves);
-        assert_eq!(graph.counts, cube::counts(&curves), "seed {seed} {curves:?}");
-    }
-}
-#[test]
-fn fam() {
-    let mut bad = 0;
-    let mut n = 0;
-    for row in families::rows().into_iter().chain(planar::placements().iter().flat_map(planar::carried_rows)) {
-        n += 1;
-        let t = std::time::Instant::now();
-        let c = graph::Graph::new(&row.curves).counts;
-        let t1 = t.elapsed();
-        let k = cube::counts(&row.curves);
-        if t.elapsed().as_millis() > 40 {println!("{} {:?} {:?}", row.name, t1, t.elapsed()); }
-        assert_eq!(c, k, "{}", row.name);
-        let found = [c.vertices, c.edges, c.faces, c.isolated, c.components];
-        if found != row.counts { bad += 1; println!("{}: {:?} found {found:?}: {:?}", row.name, row.counts, row.curves); }
-    }
-    println!("{n} rows");
-    assert_eq!(bad, 0);
-}
+mod zones;

@@ -35,7 +35,7 @@ fn carried(curve: &curves::Curve, center: &curves::P, height: i64, map: &Matrix)
 }
 
 /// Where the plane touches the sphere: at a pole, on the identification, and elsewhere; and how high.
-pub(crate) fn placements() -> [(i64, Matrix); 4] {
+fn placements() -> [(i64, Matrix); 4] {
     [
         (4, matrix([[1, 0, 0], [0, 1, 0], [0, 0, 1]])),
         (3, matrix([[0, 0, -1], [-1, 0, 0], [0, 1, 0]])),
@@ -44,8 +44,12 @@ pub(crate) fn placements() -> [(i64, Matrix); 4] {
     ]
 }
 
-/// All rows of the plane, about one of the points from which they are drawn.
-pub(crate) fn carried_rows((height, map): &(i64, Matrix)) -> Vec<Row> {
+/// All rows of the plane, about one of the points from which they are drawn, at all placements.
+pub(crate) fn all_rows() -> Vec<Row> {
+    placements().iter().flat_map(carried_rows).collect()
+}
+
+fn carried_rows((height, map): &(i64, Matrix)) -> Vec<Row> {
     let zero = [Rational::ZERO, Rational::ZERO];
     let carry = |row: crate::rows::Row| {
         let center = match row.curves.first() {

@@ -6,7 +6,7 @@ use crate::families::rows;
 use crate::graph::Graph;
 use crate::matching::Matching;
 use crate::own::{Globe, own, sweep, sweep_with};
-use crate::planar::{carried_rows, placements};
+use crate::planar::all_rows;
 use crate::random::random_curves;
 use splitstar_arrangement::models::GeodesicTraits;
 use splitstar_arrangement::overlay::overlay_all;
@@ -119,14 +119,12 @@ fn families_of_the_sphere() {
 fn families_of_the_plane() {
     let mut rng = Rng::new(2);
     let mut count = 0;
-    for placement in placements() {
-        for row in carried_rows(&placement) {
-            assert_eq!(Graph::new(&row.curves).counts, counts_of(row.counts), "{}: {:?}", row.name, row.curves);
-            assert_eq!(cube::counts(&row.curves), counts_of(row.counts), "{}: {:?}", row.name, row.curves);
-            let routes = [*rng.choose(&Route::ALL), *rng.choose(&Route::ALL)];
-            check(&row.curves, &routes, &mut rng, &row.name);
-            count += 1;
-        }
+    for row in all_rows() {
+        assert_eq!(Graph::new(&row.curves).counts, counts_of(row.counts), "{}: {:?}", row.name, row.curves);
+        assert_eq!(cube::counts(&row.curves), counts_of(row.counts), "{}: {:?}", row.name, row.curves);
+        let routes = [*rng.choose(&Route::ALL), *rng.choose(&Route::ALL)];
+        check(&row.curves, &routes, &mut rng, &row.name);
+        count += 1;
     }
     assert!(count > 400, "{count}");
 }
@@ -150,12 +148,12 @@ fn run(seed: u64, cases: usize, most: usize, ranges: &[i64]) -> usize {
 
 #[test]
 fn random_curves_of_small_coordinates() {
-    let faces = run(20_261_123, 1500, 9, &[1, 1, 2, 2, 2, 3]);
+    let faces = run(20_261_123, 2000, 16, &[1, 1, 2, 2, 2, 3]);
     assert!(faces > 10_000, "{faces}");
 }
 
 #[test]
 fn random_curves_of_large_coordinates() {
-    let faces = run(20_261_124, 40, 24, &[1000, 1 << 20, 1 << 40, i64::MAX >> 2]);
+    let faces = run(20_261_124, 80, 36, &[1000, 1 << 20, 1 << 40, i64::MAX >> 2]);
     assert!(faces > 1_000, "{faces}");
 }

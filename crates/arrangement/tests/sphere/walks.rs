@@ -166,9 +166,12 @@ impl Graph {
         for edge in &self.edges {
             let [a, b] = edge.ends.as_ref().expect("edges have ends");
             let ahead = primitive(&edge.forward(a));
-            let candidates =
-                [between(a, &ahead), opposite(&between(b, a)), ahead, opposite(a), between(&opposite(a), a)];
-            all.extend(candidates.into_iter().filter(|p| !is_zero(p) && edge.has_inside(p)));
+            let behind = opposite(&ahead);
+            let mut candidates = vec![between(a, &ahead), between(a, &behind), ahead, opposite(a), behind];
+            if !is_zero(&cross(a, b)) {
+                candidates.extend([between(a, b), opposite(&between(a, b))]);
+            }
+            all.extend(candidates.into_iter().filter(|p| edge.has_inside(p)));
         }
         rng.shuffle(&mut all);
         all.truncate(most);

@@ -63,10 +63,10 @@ fn zones_in_families() {
 fn zones_among_random_curves() {
     let mut rng = Rng::new(32);
     let mut count = 0;
-    for case in 0..500 {
+    for case in 0..1000 {
         let seed = rng.state();
         let range = 1 + case as i64 % 3;
-        let curves = random_curves(&mut rng, 1 + case % 10, range);
+        let curves = random_curves(&mut rng, 1 + case % 14, range);
         let others: Vec<Curve> = (0..4).map(|_| random_curve(&mut rng, range)).collect();
         count += check(&curves, &others, &format!("case {case}, seed {seed}: {curves:?}"));
     }
