@@ -1,16 +1,15 @@
 //! What edits ask of the geometry and change in the cells, counted: neither a clock nor a cache has a part in it.
 
 use arrangement::edit::{Done, EditOf, Observer};
-use arrangement::models::{Geodesic, GeodesicTraits, Segment, SegmentTraits};
+use arrangement::models::{GeodesicTraits, Segment, SegmentTraits};
 use arrangement::topology::{BoundedPlane, Sphere, Topology};
 use arrangement::traits::{BasicTraits, UMonotoneTraits};
 use arrangement::wrappers::CountingTraits;
 use arrangement::{Arrangement, Editor};
-use exact::spherical::Direction;
 use testkit::{Rng, geodesic_arcs, short_segments};
 
 use crate::Failure;
-use crate::peers::arrangements::{Holes, Operation};
+use crate::peers::arrangements::{Holes, Operation, arcs};
 
 /// Curves whose zones are asked for, as where time is measured.
 const CROSSING: usize = 100;
@@ -61,7 +60,11 @@ where
 }
 
 /// The work since the editor was made.
-fn work<G: UMonotoneTraits, T>(editor: &Counting<G, T>) -> u64 {
+fn work<G, T>(editor: &Counting<G, T>) -> u64
+where
+    G: UMonotoneTraits,
+    T: Topology<CountingTraits<G>>,
+{
     editor.traits().counters().total() + editor.observers().0
 }
 
@@ -110,11 +113,7 @@ pub(super) fn of_short(operation: Operation, count: usize, bits: u32) -> Result<
 /// # Errors
 /// If it is another operation.
 pub(super) fn of_arcs(operation: Operation, count: usize) -> Result<Counted, Failure> {
-    let arc = |&[a, b, c, d, e, f]: &[i64; 6]| -> Result<Geodesic, Failure> {
-        let [p, q] = [[a, b, c], [d, e, f]].map(Direction::from_i64);
-        Ok(Geodesic::arc(&p.ok_or("a direction is zero")?, &q.ok_or("a direction is zero")?)?)
-    };
-    let arcs = geodesic_arcs(count, 1).objects.iter().map(arc).collect::<Result<Vec<_>, _>>()?;
+    let arcs = arcs(&geodesic_arcs(count, 1).objects)?;
     let traits = CountingTraits::new(GeodesicTraits::new());
     match operation {
         Operation::Build => {
