@@ -154,7 +154,7 @@ pub(super) fn of_arcs(curves: &Curves) -> Result<Arcs, Failure> {
 /// If there are several, or none.
 pub(crate) fn arcs(ends: &[[i64; 6]]) -> Result<Vec<Geodesic>, Failure> {
     let arc = |&[a, b, c, d, e, f]: &[i64; 6]| -> Result<Geodesic, Failure> {
-        Ok(Geodesic::arc(&direction([a, b, c])?, &direction([d, e, f])?)?)
+        Ok(Geodesic::arc(direction([a, b, c])?, direction([d, e, f])?)?)
     };
     ends.iter().map(arc).collect()
 }
