@@ -96,7 +96,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let arrangement = &self.arrangement;
         let is_vertex = arrangement.dcel().has_vertex(v);
         assert!(is_vertex, "vertex {} does not exist: only a vertex is modified", v.0);
-        let old = arrangement.point(v);
+        let old = arrangement.inner_point(v);
         debug_assert!(
             old.is_some_and(|old| arrangement.traits().is_same_point(old, &point)),
             "the point is that of vertex {}",
@@ -148,7 +148,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     fn is_covered(&self, e: EdgeId, curve: &G::UMonotoneCurve) -> bool {
         let arrangement = &self.arrangement;
         let (traits, topology) = (arrangement.traits(), arrangement.topology());
-        let ends = arrangement.dcel().ends(e).map(|v| arrangement.point(v));
+        let ends = arrangement.dcel().ends(e).map(|v| arrangement.inner_point(v));
         let mut common = Vec::new();
         traits.intersect(&arrangement.make_edge_curve(e), curve, &mut common);
         common.iter().any(|part| match part {

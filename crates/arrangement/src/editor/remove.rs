@@ -201,7 +201,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     fn check_point(&self, v: VertexId) -> Result<(), VertexNeeded> {
         let is_vertex = self.arrangement.dcel().has_vertex(v);
         assert!(is_vertex, "vertex {} does not exist: only a vertex is removed", v.0);
-        if self.arrangement.is_at_infinity(v) {
+        if self.arrangement.is_at_infinity(v) || self.arrangement.is_absent(v) {
             return Err(VertexNeeded { vertex: v, reason: VertexNeed::Side });
         }
         Ok(())
@@ -209,15 +209,21 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
 
     /// Removes an edge within an operation: see [`Editor::remove_edge_with`].
     pub(crate) fn take_out_edge(&mut self, e: EdgeId, fates: [EndFate; 2]) -> Removed {
-        let ends = self.arrangement.dcel().ends(e);
+        let (ends, wanted) = (self.arrangement.dcel().ends(e), fates);
         let fate =
-            |i: usize| if self.arrangement.is_at_infinity(ends[i]) { EndFate::Isolate } else { fates[i] };
+            |i: usize| if self.arrangement.stands_for_side(ends[i]) { EndFate::Isolate } else { fates[i] };
         let fates = [fate(0), fate(if ends[0] == ends[1] { 0 } else { 1 })];
         self.trapezoids.remove_edge(&self.arrangement, e, fates);
         let removed = self.arrangement.remove_and_settle(e, fates, &mut self.observers);
         for v in ends {
             let dcel = self.arrangement.dcel();
-            if dcel.has_vertex(v) && dcel.around(v).nth(1).is_none() {
+            if !dcel.has_vertex(v) || dcel.around(v).nth(1).is_some() {
+                continue;
+            }
+            let is_last = dcel.outgoing(v).is_none() && self.arrangement.is_contraction(v);
+            if is_last && wanted[usize::from(v != ends[0])] == EndFate::Remove {
+                self.take_out_isolated(v);
+            } else {
                 // Nothing is cut there any more.
                 self.make_ordinary(v);
             }
@@ -227,6 +233,13 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
 
     /// Removes a vertex without edges within an operation.
     pub(crate) fn take_out_isolated(&mut self, v: VertexId) {
+        if self.arrangement.is_contraction(v) {
+            // The vertex stays, and nothing is there.
+            if !self.arrangement.is_artificial[v.index()] {
+                self.arrangement.apply(Edit::SetArtificial { v, is_artificial: true }, &mut self.observers);
+            }
+            return;
+        }
         self.trapezoids.remove_sites_of(&self.arrangement, v);
         self.arrangement.apply(Edit::RemoveIsolatedVertex { v }, &mut self.observers);
     }

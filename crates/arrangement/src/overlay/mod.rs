@@ -169,7 +169,7 @@ pub(crate) fn overlay_with_pieces<G: UMonotoneTraits, T: Topology<G>>(
         // Images on other sides decide nothing.
         flags.resize(input.site_count(), true);
         let origins = Origins::of(numbers);
-        let builder = Builder::new(topology, &flags);
+        let builder = Builder::new(traits, topology, &flags);
         let visitor = OverlayVisitor::new(builder, operands, &origins, &input);
         let mut watched = Watched::new(visitor, input.site_count(), watch);
         if sweep(traits, topology, &input, &mut watched).is_break() {

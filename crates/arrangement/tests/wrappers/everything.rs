@@ -232,8 +232,18 @@ impl ClosedLeftRightTraits for Everything {}
 impl ClosedBottomTopTraits for Everything {}
 impl OpenLeftRightTraits for Everything {}
 impl OpenBottomTopTraits for Everything {}
-impl ContractedLeftRightTraits for Everything {}
-impl ContractedBottomTopTraits for Everything {}
+
+impl ContractedLeftRightTraits for Everything {
+    fn contraction_left_right(&self, side: CurveEnd) -> i32 {
+        10 + side as i32
+    }
+}
+
+impl ContractedBottomTopTraits for Everything {
+    fn contraction_bottom_top(&self, side: CurveEnd) -> i32 {
+        20 + side as i32
+    }
+}
 
 /// What a model with every refinement is.
 pub(crate) trait All:

@@ -34,7 +34,7 @@ pub enum Violation {
     /// The traits know the point of the vertex by other coordinates: see
     /// [`BasicTraits::is_canonical`](crate::traits::BasicTraits::is_canonical).
     NotCanonical(VertexId),
-    /// The vertex is marked as one at which curves were cut, but does not join two edges.
+    /// The vertex is marked as one at which curves were cut, but does not join two edges, nor is it a pole where nothing is.
     Artificial(VertexId),
     /// The edge has a support that is not there.
     Support(EdgeId),
@@ -152,15 +152,15 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     fn check_records(&self, found: &mut Vec<Violation>) {
         let special = special_count(&self.topology);
         for v in self.dcel.vertices() {
-            match (v.index() < special, self.is_at_infinity(v)) {
+            match (v.index() < special, self.stands_for_side(v)) {
                 (true, false) => found.push(Violation::PointOnSide(v)),
                 (false, true) => found.push(Violation::PointMissing(v)),
                 _ => {}
             }
-            if self.point(v).is_some_and(|point| !self.traits.is_canonical(point)) {
+            if self.inner_point(v).is_some_and(|point| !self.traits.is_canonical(point)) {
                 found.push(Violation::NotCanonical(v));
             }
-            if self.is_artificial[v.index()] && self.dcel.degree(v) < 2 {
+            if self.is_artificial[v.index()] && self.dcel.degree(v) < 2 && !self.is_absent(v) {
                 found.push(Violation::Artificial(v));
             }
         }
@@ -214,7 +214,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         let curve = self.curve_of(e);
         let end_point = self.traits.end_point(curve, end);
         let location = |end| self.topology.end_location(&self.traits, curve, end);
-        let Some(point) = self.point(v) else {
+        let Some(point) = self.inner_point(v) else {
             let is_contracted = self.topology.sides().is_contracted(location(end));
             return is_contracted || end_point.is_none() && !location(end).is_interior();
         };

@@ -1,0 +1,136 @@
+//! Floats: parameters of points, points along arcs, and points near parameters.
+
+use super::{GeodesicArc, GeodesicTraits};
+use crate::traits::{Along, ApproxTraits, CurveEnd, LandmarkTraits};
+use exact::spherical::Direction;
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
+
+/// The greatest step along u and v between points of a picture: two degrees.
+const STEP: f64 = PI / 90.0;
+
+/// Halvings of an arc after which its points are near enough, whatever their parameters are: it may pass close to a pole.
+const MAX_HALVINGS: u32 = 40;
+
+impl ApproxTraits for GeodesicTraits {
+    /// Gives longitude and latitude in radians. The longitude of points on the identification and of the poles is zero.
+    #[inline]
+    fn approx_point(&self, p: &Direction) -> [f64; 2] {
+        self.meridian().approx_f64(p)
+    }
+
+    /// The points are two degrees from each other at most, along u and along v. An end on the right side has the longitude 2 pi, and the poles have
+    /// those of the meridians that come to them.
+    fn approx_curve(
+        &self,
+        curve: &GeodesicArc,
+        min: Option<&Direction>,
+        max: Option<&Direction>,
+        _: [f64; 4],
+        out: &mut Vec<[f64; 2]>,
+    ) {
+        let ends = [(CurveEnd::Min, min), (CurveEnd::Max, max)].map(|(end, p)| {
+            let own = curve.end(end);
+            match p.filter(|p| *p != own) {
+                Some(p) => (p, curve.inner_location().u),
+                None => (own, curve.location(end).u),
+            }
+        });
+        let [from, to] = ends.map(|(p, along)| {
+            let [u, v] = self.approx_point(p);
+            match along {
+                Along::Low => [0.0, v],
+                Along::Inside => [u, v],
+                Along::High => [TAU, v],
+            }
+        });
+        if curve.is_meridian() {
+            let node = curve.circle().ascending_node();
+            let [u, _] = node.map_or(from, |node| self.approx_point(&node));
+            out.extend([from, to].map(|[_, v]| [u, v]));
+            return;
+        }
+        let normal = curve.circle().pole().approx_f64();
+        let start = ends[0].0.approx_f64();
+        let ahead = cross(normal, start);
+        let end = ends[1].0.approx_f64();
+        let angle = dot(ahead, end).atan2(dot(start, end));
+        // Rounding may take an angle near to nothing, or to half a circle, to the other side of it.
+        let is_long = to[0] - from[0] > PI;
+        let whole = match is_long {
+            true if angle > FRAC_PI_2 => angle,
+            true => angle + TAU,
+            false if angle < -FRAC_PI_2 => angle + TAU,
+            false => angle.max(0.0),
+        };
+        let arc = Arc { start, ahead, origin: self.identification().approx_f64(), u: [from[0], to[0]] };
+        out.push(from);
+        arc.bisect([(0.0, from), (whole, to)], MAX_HALVINGS, out);
+    }
+}
+
+/// An arc by floats.
+struct Arc {
+    start: [f64; 3],
+    /// Where it is after a quarter.
+    ahead: [f64; 3],
+    /// The direction from which u is counted.
+    origin: [f64; 3],
+    /// The least and the greatest u.
+    u: [f64; 2],
+}
+
+impl Arc {
+    /// The parameters after an angle.
+    fn at(&self, angle: f64) -> [f64; 2] {
+        let (sine, cosine) = angle.sin_cos();
+        let [x, y, z] = [0, 1, 2].map(|i: usize| self.start[i] * cosine + self.ahead[i] * sine);
+        let [a, b, _] = self.origin;
+        let u = (a * y - b * x).atan2(a * x + b * y).rem_euclid(TAU);
+        [u.clamp(self.u[0], self.u[1]), z.atan2(x.hypot(y))]
+    }
+
+    /// Appends the points after the first one up to the second one.
+    fn bisect(
+        &self,
+        [(low, from), (high, to)]: [(f64, [f64; 2]); 2],
+        halvings: u32,
+        out: &mut Vec<[f64; 2]>,
+    ) {
+        let is_near = (0..2).all(|i| (to[i] - from[i]).abs() <= STEP) && high - low <= 1.0;
+        if is_near || halvings == 0 {
+            out.push(to);
+            return;
+        }
+        let middle = low + (high - low) / 2.0;
+        let [u, v] = self.at(middle);
+        // It is monotone, but for rounding beside the identification.
+        let between = (middle, [u.clamp(from[0], to[0].max(from[0])), v]);
+        self.bisect([(low, from), between], halvings - 1, out);
+        self.bisect([between, (high, to)], halvings - 1, out);
+    }
+}
+
+fn cross([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> [f64; 3] {
+    [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+}
+
+fn dot([ax, ay, az]: [f64; 3], [bx, by, bz]: [f64; 3]) -> f64 {
+    ax * bx + ay * by + az * bz
+}
+
+impl LandmarkTraits for GeodesicTraits {
+    /// Coordinates are rounded to multiples of 2^-32, so that nothing is known where a direction is so near to a pole.
+    fn approx_to_point(&self, parameters: [f64; 2]) -> Option<Direction> {
+        const SCALE: f64 = (1_u64 << 32) as f64;
+        let [u, v] = parameters;
+        if !u.is_finite() || !v.is_finite() {
+            return None;
+        }
+        let ([a, b, _], (sine, cosine)) = (self.identification().approx_f64(), u.sin_cos());
+        let (height, radius) = v.clamp(-FRAC_PI_2, FRAC_PI_2).sin_cos();
+        // Turned from the identification.
+        let vector = [(a * cosine - b * sine) * radius, (b * cosine + a * sine) * radius, height];
+        let [x, y, z] = vector.map(|value| (value * SCALE).round() as i64);
+        if x == 0 && y == 0 { None } else { Direction::from_i64([x, y, z]) }
+    }
+}
