@@ -7,6 +7,7 @@ use crate::traits::{
     Along, ArrangementTraits, BasicTraits, BoundaryTraits, ContractedBottomTopTraits, CurveEnd,
     IdentifiedLeftRightTraits, Location, NearBottomTopTraits, NearLeftRightTraits, Piece,
 };
+use exact::Sign;
 use exact::spherical::{Direction, compare_height};
 use std::cmp::Ordering;
 
@@ -42,7 +43,23 @@ impl NearBottomTopTraits for GeodesicTraits {
     }
 }
 
-impl ContractedBottomTopTraits for GeodesicTraits {}
+impl ContractedBottomTopTraits for GeodesicTraits {
+    fn contraction_bottom_top(&self, side: CurveEnd) -> Direction {
+        match side {
+            CurveEnd::Min => Direction::SOUTH,
+            CurveEnd::Max => Direction::NORTH,
+        }
+    }
+
+    #[inline]
+    fn contracted_bottom_top(&self, p: &Direction) -> Option<CurveEnd> {
+        match p.pole_sign() {
+            Sign::Negative => Some(CurveEnd::Min),
+            Sign::Zero => None,
+            Sign::Positive => Some(CurveEnd::Max),
+        }
+    }
+}
 
 impl IdentifiedLeftRightTraits for GeodesicTraits {
     #[inline]
