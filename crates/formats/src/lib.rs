@@ -63,7 +63,8 @@ pub use format::{Encoding, Format};
 pub use gzip::pack as pack_gzip;
 pub use read::{check_start, read};
 pub use star::{
-    CellNumbers, LinearArrangement, PolycurveArrangement, StarArrangement, StarText, TorusArrangement,
-    TorusPolycurveArrangement, read_arrangement, read_numbered_arrangement, write_arrangement,
+    CellNumbers, LinearArrangement, PolycurveArrangement, SphereArrangement, SpherePolycurveArrangement,
+    StarArrangement, StarText, TorusArrangement, TorusPolycurveArrangement, read_arrangement,
+    read_numbered_arrangement, write_arrangement,
 };
 pub use write::{WriteError, WriteNote, WriteOptions, Written, objects_of_triangles, write};
