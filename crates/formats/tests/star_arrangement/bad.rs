@@ -29,7 +29,7 @@ fn cross() -> String {
     CROSS.replace("inner -0 +0 -1 +1 -2", "inner -0 +0 +3 -3 +2 -2 -1 +1")
 }
 
-fn message(text: &str) -> String {
+pub(crate) fn message(text: &str) -> String {
     match read_arrangement(text.as_bytes(), None) {
         Ok(_) => panic!("it is read:\n{text}"),
         Err(error) => error.to_string(),
@@ -212,7 +212,7 @@ const CHANGES: &[(&str, &str, &str)] = &[
     ("isolated 5", "face 1\nisolated 5", "line 17: the face has no boundary; add `outer` or `inner`"),
 ];
 
-fn check(text: &str, expected: &str, wrong: &mut Vec<String>) {
+pub(crate) fn check(text: &str, expected: &str, wrong: &mut Vec<String>) {
     let found = message(text);
     if found != expected {
         wrong.push(format!("found    {found}\nexpected {expected}\n{text}"));

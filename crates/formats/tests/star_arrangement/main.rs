@@ -8,6 +8,8 @@ mod models;
 mod overlaps;
 mod page;
 mod random;
+mod sphere;
+mod sphere_bad;
 
 use splitstar_formats::{StarArrangement, read_arrangement, write_arrangement};
 

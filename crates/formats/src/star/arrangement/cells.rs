@@ -39,7 +39,8 @@ impl Cells {
             vertices: Numbers::default(),
             edges: Numbers::default(),
             faces: Numbers::default(),
-            is_artificial: vec![false; special.count()],
+            // A pole at which nothing is.
+            is_artificial: vec![!special.is_infinity(); special.count()],
             supports: Vec::new(),
             halfedges: Vec::new(),
             ccbs: Vec::new(),
@@ -197,11 +198,14 @@ impl Cells {
         self.check_isolated(&outgoing)?;
         self.check_faces()?;
         for (index, &degree) in degrees.iter().enumerate() {
-            if self.is_artificial[index] && degree != 2 {
-                let v = VertexId::new(index);
+            let v = VertexId::new(index);
+            if self.is_artificial[index]
+                && degree != 2
+                && let Some(line) = self.vertex_line(v)
+            {
                 let why =
                     format!("{} joins {degree} edges and not 2; remove `artificial`", self.vertex_name(v));
-                return Err(malformed(self.vertex_line(v).unwrap_or(end), why));
+                return Err(malformed(line, why));
             }
         }
         let special = (0..self.special.count()).map(VertexId::new);

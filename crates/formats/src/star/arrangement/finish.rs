@@ -48,6 +48,8 @@ fn arrangement_of<B: Base, G: Family<B>>(
         traits.base().face_around(v, &Around { points: &points, cells, pieces: &pieces })
     };
     let raw = cells.raw_dcel(end, face_around)?;
+    // An arrangement knows the poles.
+    points[..cells.special.count()].fill(None);
     let parts = Parts {
         dcel: Dcel::from_parts(raw),
         points,

@@ -135,7 +135,9 @@ fn read_text(bytes: &[u8], budget: &mut Budget) -> Result<(StarArrangement, Cell
         return Err(Fault::Truncated { expected: "`surface` was expected".into() }.at(lines.last()));
     };
     if word.bytes != b"surface" {
-        return Err(word.unexpected("the second line `surface plane`, `surface torus P Q` or `surface sphere DX DY`"));
+        return Err(
+            word.unexpected("the second line `surface plane`, `surface torus P Q` or `surface sphere DX DY`")
+        );
     }
     const SURFACE: &str = "`plane`, `torus` or `sphere`";
     let name = line.expect(SURFACE)?;

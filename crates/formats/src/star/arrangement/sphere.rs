@@ -202,8 +202,9 @@ fn face_above(
         let arcs = around.leaving(v).filter(|h| h.is_even() == (end == CurveEnd::Min)).filter_map(|h| {
             let pieces = (around.pieces)(h.edge());
             let arc = if end == CurveEnd::Min { pieces.first() } else { pieces.last() };
-            let ends_here =
-                |arc: &&GeodesicArc| !arc.is_meridian() && arc.location(end).u == side && arc.end(end) == point;
+            let ends_here = |arc: &&GeodesicArc| {
+                !arc.is_meridian() && arc.location(end).u == side && arc.end(end) == point
+            };
             arc.filter(ends_here).map(|arc| (arc, h))
         });
         let uppermost = arcs.max_by(|(a, _), (b, _)| match end {
