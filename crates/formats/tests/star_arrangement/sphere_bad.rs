@@ -1,10 +1,7 @@
 //! What is refused of arrangements on the sphere, with its message.
 
 use super::bad::check;
-use super::random::{Numbers, changed};
-use super::sphere::{chains, random_arcs, sphere};
-use super::{comes_back, read, write};
-use splitstar_formats::read_arrangement;
+use super::{comes_back, read};
 
 /// A cross of two arcs, lines 1 to 20, the north pole and a point of the identification arc.
 const CROSS: &str = "\
@@ -310,47 +307,4 @@ fn whole_files_are_refused_with_their_messages() {
         check(text, expected, &mut wrong);
     }
     assert!(wrong.is_empty(), "{}", wrong.join("\n"));
-}
-
-/// Whatever is changed in a text, it is read, and then is an arrangement, or it is refused with a short message and a line.
-#[test]
-fn changed_texts_are_read_or_refused() {
-    let mut numbers = Numbers::new(23);
-    let (mut read_back, mut refused) = (0, 0);
-    for case in 0..1000 {
-        let arcs = random_arcs(&mut numbers);
-        let identification = [[-1, 0], [1, 1], [0, 1]][case % 3];
-        let text =
-            write(&if case % 2 == 0 { sphere(identification, &arcs) } else { chains(identification, &arcs) });
-        for _ in 0..8 {
-            let changed = changed(&text, &mut numbers);
-            match read_arrangement(changed.as_bytes(), None) {
-                Ok(arrangement) => {
-                    comes_back(&arrangement);
-                    read_back += 1;
-                }
-                Err(error) => {
-                    let message = error.to_string();
-                    assert!(message.len() < 400 && !message.contains(char::is_control), "{message}");
-                    assert!(message.starts_with("line "), "{case}: {message}\n{changed}");
-                    refused += 1;
-                }
-            }
-        }
-    }
-    println!("{read_back} read, {refused} refused");
-    assert!(read_back > 100 && refused > 2000, "{read_back} {refused}");
-}
-
-#[test]
-fn prefixes_are_refused() {
-    let mut numbers = Numbers::new(24);
-    for case in 0..4 {
-        let arcs = random_arcs(&mut numbers);
-        let text = write(&if case % 2 == 0 { sphere([-1, 0], &arcs) } else { chains([-1, 0], &arcs) });
-        for length in 0..text.len() - 1 {
-            assert!(read_arrangement(&text.as_bytes()[..length], None).is_err(), "{case} {length}");
-        }
-        read(&text[..text.len() - 1]);
-    }
 }
