@@ -237,12 +237,14 @@ impl Meridian {
         }
     }
 
-    /// Bits of floats below and above the pseudo-angle, plus 4.
+    /// Bits of floats below and above the pseudo-angle, plus 4 and a little: simple fractions are not where keys change.
     #[inline(always)]
     fn angle_range(&self, p: &Direction) -> Option<[u64; 2]> {
         let (angle, error) = self.pseudo_angle(p)?;
+        /// Half of the distance between keys.
+        const OFFSET: f64 = 4.0 + 512.0 * 4.0 * f64::EPSILON;
         let radius = error + 4.0 * f64::EPSILON;
-        Some([angle - radius, angle + radius].map(|angle| (4.0 + angle).to_bits()))
+        Some([angle - radius, angle + radius].map(|angle| (OFFSET + angle).to_bits()))
     }
 
     /// Gives floats near to the longitude, from 0 to 2 pi, and the latitude of a point, in radians. The longitude of points on the meridian and of the

@@ -8,6 +8,7 @@ mod models;
 mod overlaps;
 mod page;
 mod random;
+mod sphere;
 
 use splitstar_formats::{StarArrangement, read_arrangement, write_arrangement};
 

@@ -115,6 +115,36 @@ fn zones_have_the_known_cells() {
 }
 
 #[test]
+fn cuts_of_peers_do_not_count() {
+    let row = row("sphere1000");
+    let ours = printed(row, 1.0, 100);
+    let mut theirs = printed(row, 5.0, 100);
+    theirs["vertices"] = json!(66_596);
+    theirs["edges"] = json!(129_911);
+    assert_eq!(table::failures(&outcome(row, ours.clone(), theirs.clone())), Vec::<String>::new());
+    assert_eq!(outcome(row, theirs.clone(), theirs.clone()).troubles.len(), 1, "ours are not seen");
+    for (key, wrong) in [("vertices", 66_597), ("edges", 129_910), ("faces", 63_316)] {
+        let mut theirs = theirs.clone();
+        theirs[key] = json!(wrong);
+        assert_eq!(outcome(row, ours.clone(), theirs).troubles.len(), 1, "{key}");
+    }
+}
+
+#[test]
+fn a_peer_may_be_asked_about_fewer_points() {
+    let row = row("sphereask300");
+    let mut ours = printed(row, 0.01, 100);
+    ours["located"] = json!({ "vertices": 0, "edges": 0, "faces": 10_000, "around": 60_000 });
+    let mut theirs = ours.clone();
+    theirs["seconds"] = json!(0.5);
+    theirs["asked"] = json!(20);
+    let outcome = outcome(row, ours, theirs);
+    assert_eq!(table::failures(&outcome), Vec::<String>::new());
+    let times = &table::record(&outcome)["microseconds"];
+    assert_eq!(*times, json!({ "a_query": 1.0, "at_most": 1.5, "of_peers": [25_000.0] }));
+}
+
+#[test]
 fn history_is_compared_with_none() {
     for row in ROWS.iter().filter(|row| row.peers.contains(&Peer::Plain)) {
         assert!(plain(&row.task).is_some(), "{}", row.name);

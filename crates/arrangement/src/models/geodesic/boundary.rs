@@ -7,6 +7,7 @@ use crate::traits::{
     Along, ArrangementTraits, BasicTraits, BoundaryTraits, ContractedBottomTopTraits, CurveEnd,
     IdentifiedLeftRightTraits, Location, NearBottomTopTraits, NearLeftRightTraits, Piece,
 };
+use exact::Sign;
 use exact::spherical::{Direction, compare_height};
 use std::cmp::Ordering;
 
@@ -42,7 +43,23 @@ impl NearBottomTopTraits for GeodesicTraits {
     }
 }
 
-impl ContractedBottomTopTraits for GeodesicTraits {}
+impl ContractedBottomTopTraits for GeodesicTraits {
+    fn contraction_bottom_top(&self, side: CurveEnd) -> Direction {
+        match side {
+            CurveEnd::Min => Direction::SOUTH,
+            CurveEnd::Max => Direction::NORTH,
+        }
+    }
+
+    #[inline]
+    fn contracted_bottom_top(&self, p: &Direction) -> Option<CurveEnd> {
+        match p.pole_sign() {
+            Sign::Negative => Some(CurveEnd::Min),
+            Sign::Zero => None,
+            Sign::Positive => Some(CurveEnd::Max),
+        }
+    }
+}
 
 impl IdentifiedLeftRightTraits for GeodesicTraits {
     #[inline]
@@ -64,6 +81,17 @@ impl PieceTraits for GeodesicTraits {
     /// Near an end on a side, arcs are one curve if they come from the same side along the same circle, or half meridian.
     fn is_foldback_on_side(&self, a: &GeodesicArc, b: &GeodesicArc, end: CurveEnd) -> bool {
         a.location(end) == b.location(end) && a.circle() == b.circle()
+    }
+
+    /// An end at a pole has the longitude of its half meridian. What ends on the right side is behind all points of the interior.
+    fn compare_u_to_end(&self, p: &Direction, curve: &GeodesicArc, end: CurveEnd) -> Option<Ordering> {
+        let location = curve.location(end);
+        Some(match (location.u, location.v) {
+            (Along::Low, _) => Ordering::Greater,
+            (Along::High, _) => Ordering::Less,
+            (Along::Inside, Along::Inside) => self.compare_u(p, curve.end(end)),
+            (Along::Inside, _) => self.compare_u_near_end(p, curve, end),
+        })
     }
 
     /// Once around the sphere, an arc has its ends in one point.
