@@ -61,9 +61,13 @@ const CHANGES: &[(&str, &str, &str)] = &[
     (
         "surface plane\n",
         "",
-        "line 2: `curve` where the second line `surface plane` or `surface torus P Q` was expected; correct it",
+        "line 2: `curve` where the second line `surface plane`, `surface torus P Q` or `surface sphere DX DY` was expected; correct it",
     ),
-    ("surface plane", "surface sphere", "line 2: `sphere` where `plane` or `torus` was expected; correct it"),
+    (
+        "surface plane",
+        "surface bottle",
+        "line 2: `bottle` where `plane`, `torus` or `sphere` was expected; correct it",
+    ),
     ("surface plane", "surface torus 1 0", "line 2: the period along v is not positive"),
     ("curve 0 segment", "surface plane\ncurve 0 segment", "line 3: a second surface; remove one"),
     (
