@@ -159,13 +159,42 @@ fn curve(random: &mut Rng, has_polylines: bool) -> SphereCurve {
     }
 }
 
+/// Lines, polygons and points between few places, special ones among them, as GeoJSON has them.
+fn features(random: &mut Rng) -> Vec<SphereCurve> {
+    const LONGITUDES: [&str; 10] =
+        ["0", "45", "90", "180", "-180", "-90", "-135.0000001", "179.9999999999", "12.3456789", "1e-9"];
+    const LATITUDES: [&str; 9] = ["0", "90", "-90", "45", "-45", "89.9999999999", "1e-9", "-33.333333", "60"];
+    let number = 1 + random.below(5);
+    let lines: Vec<String> = (0..number)
+        .map(|_| {
+            let position = |random: &mut Rng| {
+                let [longitude, latitude] =
+                    [LONGITUDES.len(), LATITUDES.len()].map(|n| random.below(n as u64) as usize);
+                format!("[{},{}]", LONGITUDES[longitude], LATITUDES[latitude])
+            };
+            let mut positions: Vec<String> = (0..2 + random.below(5)).map(|_| position(random)).collect();
+            let kind = if random.one_in(3) { "MultiPoint" } else { "LineString" };
+            if random.one_in(3) {
+                positions.push(positions[0].clone());
+            }
+            format!("{{\"type\":\"{kind}\",\"coordinates\":[{}]}}", positions.join(","))
+        })
+        .collect();
+    // Lines with antipodal positions in a row are refused.
+    let read = |line: &String| read_sphere_curves(line.as_bytes(), None).ok();
+    lines.iter().filter_map(read).flat_map(|file| file.curves).collect()
+}
+
 #[test]
 fn neither_order_nor_identification_matters() {
     println!("seed {SEED:#x}");
     let mut random = Rng::new(SEED);
-    for case in 0..400 {
+    for case in 0..600 {
         let number = random.below(9);
-        let mut curves: Vec<SphereCurve> = (0..number).map(|_| curve(&mut random, case % 2 == 1)).collect();
+        let mut curves: Vec<SphereCurve> = match case % 3 {
+            0 => features(&mut random),
+            kind => (0..number).map(|_| curve(&mut random, kind == 1)).collect(),
+        };
         let expected = counts(&made(&curves, [-1, 0]).expect("curves have a course"));
         for identification in [[-1, 0], [0, 1], [1, 1], [2, -1], [7, 3]] {
             let first = made(&curves, identification).expect("curves have a course");

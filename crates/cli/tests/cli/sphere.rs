@@ -269,6 +269,42 @@ fn points_are_located() {
 }
 
 #[test]
+fn all_strategies_give_the_same_bytes() {
+    let folder = Folder::new("sphere_strategies");
+    let more = "polyline 3 1 2  -1 2 2  -2 0 1  0 -3 1  3 1 2\npolyline 0 0 1  1 5 0  0 0 -1  -1 -5 0\npoint -1 3 1\n\
+        LINESTRING (170 10, -170 20, -170.5 -88, 45 -90)\narc 0 0 -1  1 2 0  via -1 -2 0\n";
+    let more = folder.write("more.txt", more);
+    let coordinates = || -3..=3;
+    let mut points = String::from("POINT (-170 20)\nPOINT (180 17.5)\nPOINT (45 -89.99999)\n");
+    for (x, y) in coordinates().flat_map(|x| coordinates().map(move |y| (x, y))) {
+        let line = |z: i32| if (x, y, z) == (0, 0, 0) { String::new() } else { format!("{x} {y} {z}\n") };
+        points.extend(coordinates().map(line));
+    }
+    let points = folder.write("points.txt", &points);
+    for identification in ["-1,0", "1,5", "7,-2"] {
+        let file = folder.path("a.star");
+        let words = ["arrange", "-q", "--surface", "sphere", "--identification", identification];
+        run(&[&words[..], &[&model("curves/sphere.txt"), &more, "-o", &file]].concat()).ok();
+        for (ray, strategies) in [
+            (&[][..], &STRATEGIES[..]),
+            (&["--ray", "up"], &STRATEGIES[..4]),
+            (&["--ray", "down"], &STRATEGIES[..4]),
+        ] {
+            let ask = |strategy: &[&str]| run(&[&["locate", &file, &points], ray, strategy].concat()).ok();
+            let by_default = ask(&[]);
+            assert_eq!(by_default.lines().count(), 3 + 342);
+            for &strategy in strategies {
+                assert_eq!(
+                    ask(&["--strategy", strategy]),
+                    by_default,
+                    "{identification} {ray:?}: {strategy}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn rays_go_along_meridians() {
     let folder = Folder::new("sphere_rays");
     // A small triangle north of the equator, and a point at the south pole.

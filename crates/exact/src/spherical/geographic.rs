@@ -36,7 +36,7 @@ const STEPS: i64 = (1 << 30) - 1;
 /// 4. Reflections of places in the three coordinate planes reflect their directions. So antipodal places get antipodal directions.
 ///
 /// # Complexity
-/// O(1) for numbers of a bounded length: less than a microsecond, and once in some million times some 100 microseconds.
+/// O(1) for numbers of a bounded length: machine words decide, but for one place in about two million.
 ///
 /// ```
 /// use exact::spherical::geographic::{exact_length, from_degrees};
