@@ -105,7 +105,7 @@ fn random_chain(rng: &mut Rng, range: i64) -> Vec<Curve> {
         if is_zero(&normal) {
             continue;
         }
-        arcs.push(match rng.below(5) {
+        let arc = match rng.below(5) {
             0 => Curve::Around(here, corner.clone(), opposite(&normal)),
             1 => {
                 let beyond = opposite(&here);
@@ -113,7 +113,8 @@ fn random_chain(rng: &mut Rng, range: i64) -> Vec<Curve> {
                 Curve::Short(beyond, corner.clone())
             }
             _ => Curve::Short(here, corner.clone()),
-        });
+        };
+        arcs.push(arc);
         here = corner;
     }
     if arcs.is_empty() { vec![Curve::Point(here)] } else { arcs }
