@@ -39,6 +39,7 @@ mod boxes;
 mod circle;
 mod decide;
 mod direction;
+pub mod geographic;
 mod meridian;
 mod predicates;
 #[cfg(test)]

@@ -215,8 +215,8 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         let end_point = self.traits.end_point(curve, end);
         let location = |end| self.topology.end_location(&self.traits, curve, end);
         let Some(point) = self.inner_point(v) else {
-            let is_contracted = self.topology.sides().is_contracted(location(end));
-            return is_contracted || end_point.is_none() && !location(end).is_interior();
+            // There may be several: the poles of a sphere.
+            return crate::zone::side_vertex(self, location(end)) == Some(v);
         };
         if end_point.is_some_and(|end_point| self.traits.is_same_point(end_point, point)) {
             return true;

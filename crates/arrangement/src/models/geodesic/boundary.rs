@@ -83,6 +83,17 @@ impl PieceTraits for GeodesicTraits {
         a.location(end) == b.location(end) && a.circle() == b.circle()
     }
 
+    /// An end at a pole has the longitude of its half meridian. What ends on the right side is behind all points of the interior.
+    fn compare_u_to_end(&self, p: &Direction, curve: &GeodesicArc, end: CurveEnd) -> Option<Ordering> {
+        let location = curve.location(end);
+        Some(match (location.u, location.v) {
+            (Along::Low, _) => Ordering::Greater,
+            (Along::High, _) => Ordering::Less,
+            (Along::Inside, Along::Inside) => self.compare_u(p, curve.end(end)),
+            (Along::Inside, _) => self.compare_u_near_end(p, curve, end),
+        })
+    }
+
     /// Once around the sphere, an arc has its ends in one point.
     fn direction(&self, curve: &GeodesicArc) -> Option<bool> {
         Some(curve.is_directed_right())

@@ -1,0 +1,171 @@
+//! Chains of arcs: joints are no vertices, and everything else is as without chains.
+
+use crate::arcs::{Curve, around, circle, point, short, via};
+use crate::cube;
+use crate::graph::Graph;
+use crate::own::{direction, own, traits_of};
+use crate::random::random_point;
+use crate::space::{P, at, cross, is_zero, opposite};
+use exact::spherical::Direction;
+use splitstar_arrangement::models::polycurve::{Polycurve, PolycurveTraits};
+use splitstar_arrangement::models::{GeodesicArc, GeodesicTraits};
+use splitstar_arrangement::overlay::overlay_all;
+use splitstar_arrangement::topology::Sphere;
+use splitstar_arrangement::{Arrangement, Counts, Editor};
+use testkit::Rng;
+
+type Made = Arrangement<PolycurveTraits<GeodesicTraits>, Sphere>;
+type Chain = Polycurve<Direction, GeodesicArc>;
+
+fn chain(traits: &PolycurveTraits<GeodesicTraits>, arcs: &[Curve]) -> Chain {
+    traits.make_polycurve_of(&own(arcs)).unwrap()
+}
+
+fn make(identification: [i64; 2], chains: &[Vec<Curve>], points: &[P]) -> Made {
+    let traits = PolycurveTraits::new(traits_of(identification));
+    let chains: Vec<Chain> = chains.iter().map(|arcs| chain(&traits, arcs)).collect();
+    Arrangement::of_curves_and_points(traits, Sphere, &chains, points.iter().map(direction))
+}
+
+/// The points between the arcs of a chain, and its ends.
+fn joints(chains: &[Vec<Curve>]) -> Vec<P> {
+    chains.iter().flatten().flat_map(|curve| curve.arc().ends.into_iter().flatten()).collect()
+}
+
+fn seen(counts: Counts) -> [usize; 3] {
+    [counts.vertices, counts.edges, counts.faces]
+}
+
+fn path(corners: &[[i64; 3]]) -> Vec<Curve> {
+    corners.windows(2).map(|pair| short(pair[0], pair[1])).collect()
+}
+
+fn closed(corners: &[[i64; 3]]) -> Vec<Curve> {
+    let first = corners.iter().take(1);
+    path(&corners.iter().chain(first).copied().collect::<Vec<_>>())
+}
+
+#[test]
+fn chains_with_known_counts() {
+    let (x, y, z) = ([1, 0, 0], [0, 1, 0], [0, 0, 1]);
+    let minus = |p: [i64; 3]| p.map(|c| -c);
+    let (w, s) = (minus(x), minus(z));
+    let around_pole = closed(&[[3, 1, 5], [-2, 3, 5], [-2, -3, 6]]);
+    let rows: Vec<(&str, Vec<Vec<Curve>>, [usize; 3])> = vec![
+        ("a triangle about a pole", vec![around_pole.clone()], [1, 1, 2]),
+        ("a corner at a pole", vec![closed(&[z, [1, 1, 0], [1, 3, 1]])], [1, 1, 2]),
+        ("corners at both poles", vec![closed(&[z, x, s, y])], [1, 1, 2]),
+        ("an open path", vec![path(&[[1, 1, 1], [-1, 2, 0], [-3, -1, 1], [1, -1, -1]])], [2, 1, 1]),
+        ("through a pole", vec![path(&[[1, 1, 1], z, [1, -1, 2]])], [2, 1, 1]),
+        ("straight through a pole", vec![path(&[[1, 1, 1], z, [-1, -1, 2]])], [2, 1, 1]),
+        ("round the equator", vec![closed(&[x, y, w, minus(y)])], [1, 1, 2]),
+        ("round the identification", vec![closed(&[w, z, x, s])], [1, 1, 2]),
+        ("a joint on the identification", vec![path(&[[-1, 1, 0], w, [-1, -2, 1]])], [2, 1, 1]),
+        ("turned back at the identification", vec![path(&[[-1, 1, 0], w, [-1, 2, 1]])], [2, 1, 1]),
+        ("down the identification and away", vec![path(&[[-1, 0, 2], w, [-1, 2, 1]])], [2, 1, 1]),
+        ("half circles", vec![vec![via(x, y, w), via(w, z, x)]], [1, 1, 2]),
+        ("a long arc", vec![vec![around(y, x, z), short(x, z)]], [2, 1, 1]),
+        ("a loop", vec![path(&[[1, 0, 0], [1, 4, 0], [1, 2, 2], [1, 2, -3]])], [3, 3, 2]),
+        ("an eight", vec![closed(&[[4, 1, 1], [4, -1, -1], [4, -1, 1], [4, 1, -1]])], [1, 2, 3]),
+        ("there and back", vec![path(&[x, y, x])], [2, 1, 1]),
+        ("there and half back", vec![path(&[x, y, [1, 1, 0]])], [3, 2, 1]),
+        ("there and back at a pole", vec![path(&[x, z, x])], [2, 1, 1]),
+        ("a meridian across", vec![around_pole.clone(), vec![via(s, [5, 2, 0], z)]], [3, 3, 2]),
+        ("a meridian to a joint", vec![around_pole.clone(), vec![via(s, [3, 1, 0], z)]], [3, 3, 2]),
+        ("a circle beside", vec![around_pole.clone(), vec![circle(z)]], [2, 2, 3]),
+        ("a point on a joint", vec![around_pole.clone(), vec![point([3, 1, 5])]], [1, 1, 2]),
+        ("points on two joints", vec![around_pole, vec![point([3, 1, 5])], vec![point([-2, 3, 5])]], [2, 2, 2]),
+    ];
+    for (name, chains, expected) in rows {
+        for identification in [[-1, 0], [1, 0], [0, 1], [3, 1], [-2, 3]] {
+            let made = make(identification, &chains, &[]);
+            assert_eq!(made.check_valid(), [], "{name}, {identification:?}");
+            assert_eq!(seen(made.counts()), expected, "{name}, {identification:?}");
+            let with_joints = make(identification, &chains, &joints(&chains));
+            assert_eq!(with_joints.check_valid(), [], "{name}, {identification:?}");
+            assert_eq!(with_joints.counts(), Graph::new(&chains.concat()).counts, "{name}, {identification:?}");
+        }
+    }
+}
+
+/// Up to some arcs, each of which begins where the one before it ends; often at the beginning again.
+fn random_chain(rng: &mut Rng, range: i64) -> Vec<Curve> {
+    let mut corners = vec![random_point(rng, range)];
+    for _ in 0..1 + rng.index(5) {
+        corners.push(match rng.below(6) {
+            0 => corners[0].clone(),
+            1 => at([0, 0, if rng.one_in(2) { 1 } else { -1 }]),
+            _ => random_point(rng, range),
+        });
+    }
+    let mut arcs = Vec::new();
+    let mut here = corners[0].clone();
+    for corner in corners.drain(..).skip(1) {
+        let normal = cross(&here, &corner);
+        if is_zero(&normal) {
+            continue;
+        }
+        let arc = match rng.below(5) {
+            0 => Curve::Around(here, corner.clone(), opposite(&normal)),
+            1 => {
+                let beyond = opposite(&here);
+                arcs.push(Curve::Via(here, corner.clone(), beyond.clone()));
+                Curve::Short(beyond, corner.clone())
+            }
+            _ => Curve::Short(here, corner.clone()),
+        };
+        arcs.push(arc);
+        here = corner;
+    }
+    if arcs.is_empty() { vec![Curve::Point(here)] } else { arcs }
+}
+
+#[test]
+fn random_chains() {
+    let mut rng = Rng::new(61);
+    let mut faces = 0;
+    for case in 0..600 {
+        let seed = rng.state();
+        let range = 1 + case as i64 % 2;
+        let chains: Vec<Vec<Curve>> = (0..1 + case % 4).map(|_| random_chain(&mut rng, range)).collect();
+        let identification = *rng.choose(&[[-1, 0], [0, 1], [1, 1], [2, -1]]);
+        let context = format!("case {case}, seed {seed}, {identification:?}: {chains:?}");
+        let expected = Graph::new(&chains.concat()).counts;
+        let made = make(identification, &chains, &[]);
+        assert_eq!(made.check_valid(), [], "{context}");
+        // To hide a joint takes a vertex and an edge.
+        let found = made.counts();
+        assert_eq!(
+            [found.faces, found.isolated, found.components, found.edges + expected.vertices],
+            [expected.faces, expected.isolated, expected.components, expected.edges + found.vertices],
+            "{context}"
+        );
+        let with_joints = make(identification, &chains, &joints(&chains));
+        assert_eq!(with_joints.check_valid(), [], "{context}");
+        assert_eq!(with_joints.counts(), cube::counts(&chains.concat()), "{context}");
+        let traits = made.traits();
+        let mut own: Vec<Chain> = chains.iter().map(|arcs| chain(traits, arcs)).collect();
+        rng.shuffle(&mut own);
+        let empty = Arrangement::new(traits.clone(), Sphere);
+        let mut editor = Editor::new(empty.clone());
+        own.iter().for_each(|chain| drop(editor.insert_curve(chain)));
+        assert_eq!(editor.check_valid(), [], "one by one, {context}");
+        assert_eq!(editor.difference(&made), None, "one by one, {context}");
+        let (first, last) = own.split_at(rng.index(own.len() + 1));
+        let [a, b] = [first, last].map(|part| Arrangement::of_curves(traits.clone(), Sphere, part));
+        let overlay = overlay_all(&[&a, &b]).0;
+        assert_eq!(overlay.check_valid(), [], "overlay, {context}");
+        assert_eq!(overlay.difference(&made), None, "overlay, {context}");
+        let mut edges: Vec<_> = editor.dcel().edges().collect();
+        rng.shuffle(&mut edges);
+        for e in edges {
+            editor.remove_edge(e);
+            assert_eq!(editor.check_valid(), [], "{context}");
+        }
+        let isolated: Vec<_> = editor.vertices().collect();
+        isolated.into_iter().for_each(|v| drop(editor.remove_vertex(v).unwrap()));
+        assert_eq!(editor.difference(&empty), None, "{context}");
+        faces += found.faces;
+    }
+    assert!(faces > 3_000, "{faces}");
+}
