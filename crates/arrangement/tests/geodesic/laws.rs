@@ -65,6 +65,14 @@ fn check_pieces(traits: &GeodesicTraits, curve: &Geodesic, points: &[Direction])
     for (arc, _) in arcs {
         assert!(traits.is_own_curve(arc), "{arc:?}");
         check_locations(traits, arc);
+        let again = arcs_of(traits, &arc.make_geodesic());
+        assert_eq!(again.len(), 1, "{arc:?}");
+        assert_eq!(again[0].circle(), arc.circle());
+        assert_eq!(again[0].is_directed_right(), arc.is_directed_right());
+        for end in CurveEnd::BOTH {
+            let [here, there] = [arc, &again[0]].map(|arc| (arc.end(end), arc.location(end)));
+            assert_eq!(here, there, "{arc:?}");
+        }
     }
 }
 

@@ -1,7 +1,7 @@
 //! Random sets: what they are does not depend on the identification, nor on exact rotations.
 
 use crate::arcs::{identifications, random_geodesic};
-use exact::Quaternion;
+use exact::{Integer, Quaternion};
 use splitstar_arrangement::Arrangement;
 use splitstar_arrangement::models::{Geodesic, GeodesicTraits};
 use splitstar_arrangement::topology::Sphere;
@@ -34,5 +34,25 @@ fn every_identification_and_rotation_gives_the_same_cells() {
         assert_eq!(counts(&GeodesicTraits::new(), &antipodal), expected, "antipodal {curves:?}");
         let reversed: Vec<_> = curves.iter().rev().map(Geodesic::reversed).collect();
         assert_eq!(counts(&GeodesicTraits::new(), &reversed), expected, "reversed {curves:?}");
+    }
+}
+
+/// Coordinates of hundreds of bits, and all that is degenerate stays so.
+#[test]
+fn wide_coordinates_give_the_same_cells() {
+    let mut rng = Rng::new(302);
+    for bits in [4, 8, 12, 20, 70] {
+        for _ in 0..6 {
+            eprintln!("seed {}", rng.state());
+            let curves: Vec<_> = (0..3 + rng.index(6)).map(|_| random_geodesic(&mut rng, 2)).collect();
+            let expected = counts(&GeodesicTraits::new(), &curves);
+            let component =
+                |rng: &mut Rng| (Integer::from(rng.within(1 << 20)) << bits) + Integer::from(rng.within(99));
+            let rotation = Quaternion::new([(); 4].map(|()| component(&mut rng))).unwrap();
+            let turned: Vec<_> = curves.iter().map(|curve| curve.turned(&rotation)).collect();
+            for traits in &identifications()[..2] {
+                assert_eq!(counts(traits, &turned), expected, "{curves:?} turned by {rotation}");
+            }
+        }
     }
 }
