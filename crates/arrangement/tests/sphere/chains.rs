@@ -105,7 +105,7 @@ fn random_chain(rng: &mut Rng, range: i64) -> Vec<Curve> {
         if is_zero(&normal) {
             continue;
         }
-        arcs.push(match rng.below(5) {
+        let arc = match rng.below(5) {
             0 => Curve::Around(here, corner.clone(), opposite(&normal)),
             1 => {
                 let beyond = opposite(&here);
@@ -113,7 +113,8 @@ fn random_chain(rng: &mut Rng, range: i64) -> Vec<Curve> {
                 Curve::Short(beyond, corner.clone())
             }
             _ => Curve::Short(here, corner.clone()),
-        });
+        };
+        arcs.push(arc);
         here = corner;
     }
     if arcs.is_empty() { vec![Curve::Point(here)] } else { arcs }
@@ -167,4 +168,16 @@ fn random_chains() {
         faces += found.faces;
     }
     assert!(faces > 3_000, "{faces}");
+}
+
+/// The meridian comes from a pole, so its beginning does not tell at which piece of the chain it is.
+#[test]
+fn a_meridian_from_a_pole_meets_a_chain_in_its_middle() {
+    let triangle = closed(&[[3, 1, 5], [-2, 3, 5], [-2, -3, 6]]);
+    for meridian in [via([0, 0, -1], [5, 2, 0], [0, 0, 1]), via([0, 0, 1], [5, 2, 0], [0, 0, -1])] {
+        let made = make([-1, 0], &[triangle.clone(), vec![meridian]], &[]);
+        assert_eq!(made.check_valid(), []);
+        let crossing = direction(&at([5, 2, 7]));
+        assert!(made.vertices().any(|v| made.point(v) == Some(&crossing)));
+    }
 }
