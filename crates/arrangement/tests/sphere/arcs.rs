@@ -1,7 +1,7 @@
 //! Curves as data.
 
 use crate::space::{
-    Matrix, P, at, compare_way, cross, dot, image, image_of_normal, is_zero, opposite, primitive, turn,
+    Matrix, P, at, between, compare_way, cross, dot, image, image_of_normal, is_zero, opposite, primitive, turn,
 };
 use exact::{Integer, Sign};
 use std::cmp::Ordering;
@@ -85,6 +85,19 @@ impl Arc {
         let p = primitive(&axis);
         let both = [opposite(&p), p];
         both.into_iter().filter(|p| self.has(p) && other.has(p)).collect()
+    }
+
+    /// Some points of the interior.
+    pub(crate) fn inner_points(&self) -> Vec<P> {
+        let [a, b] = self.ends.as_ref().expect("the arc has ends");
+        let ahead = primitive(&self.forward(a));
+        let behind = opposite(&ahead);
+        let mut candidates = vec![between(a, &ahead), between(a, &behind), ahead, opposite(a), behind];
+        if !is_zero(&cross(a, b)) {
+            candidates.extend([between(a, b), opposite(&between(a, b))]);
+        }
+        candidates.retain(|p| self.has_inside(p));
+        candidates
     }
 
     /// Compares points on it by the way from the start.

@@ -169,3 +169,15 @@ fn random_chains() {
     }
     assert!(faces > 3_000, "{faces}");
 }
+
+/// The meridian comes from a pole, so its beginning does not tell at which piece of the chain it is.
+#[test]
+fn a_meridian_from_a_pole_meets_a_chain_in_its_middle() {
+    let triangle = closed(&[[3, 1, 5], [-2, 3, 5], [-2, -3, 6]]);
+    for meridian in [via([0, 0, -1], [5, 2, 0], [0, 0, 1]), via([0, 0, 1], [5, 2, 0], [0, 0, -1])] {
+        let made = make([-1, 0], &[triangle.clone(), vec![meridian]], &[]);
+        assert_eq!(made.check_valid(), []);
+        let crossing = direction(&at([5, 2, 7]));
+        assert!(made.vertices().any(|v| made.point(v) == Some(&crossing)));
+    }
+}

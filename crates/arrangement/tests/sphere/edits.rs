@@ -2,6 +2,7 @@
 
 use crate::arcs::Curve;
 use crate::families::rows;
+use crate::free_edits;
 use crate::graph::Graph;
 use crate::history;
 use crate::matching::Matching;
@@ -16,8 +17,8 @@ use splitstar_arrangement::topology::Sphere;
 use splitstar_arrangement::{Arrangement, Editor};
 use testkit::Rng;
 
-type Observers = (Mirror<GeodesicTraits>, Undo<GeodesicTraits>, TrapezoidalMap<GeodesicTraits>);
-type Watched = Editor<GeodesicTraits, Sphere, Observers>;
+pub(crate) type Observers = (Mirror<GeodesicTraits>, Undo<GeodesicTraits>, TrapezoidalMap<GeodesicTraits>);
+pub(crate) type Watched = Editor<GeodesicTraits, Sphere, Observers>;
 
 fn watch(globe: Globe) -> Watched {
     let observers = (Mirror::new(&globe), Undo::new(&globe), TrapezoidalMap::new(&globe));
@@ -157,7 +158,7 @@ fn edit(editor: &mut Watched, rng: &mut Rng) -> String {
     let edges: Vec<_> = editor.dcel().edges().collect();
     let vertices: Vec<_> = editor.vertices().collect();
     let is_full = edges.len() > 30;
-    match rng.below(16) {
+    match rng.below(22) {
         0..5 if !is_full => {
             let curve = random_curve(rng, 2);
             let mut expected = editor.arrangement().clone();
@@ -204,6 +205,10 @@ fn edit(editor: &mut Watched, rng: &mut Rng) -> String {
             editor.compact();
             "compact".into()
         }
+        15 | 16 if !is_full => free_edits::insert_free(editor, rng),
+        17 if !edges.is_empty() => free_edits::split(editor, *rng.choose(&edges), rng),
+        18 if !edges.is_empty() => free_edits::modify(editor, *rng.choose(&edges), rng),
+        19 if !edges.is_empty() => free_edits::remove(editor, &edges, rng),
         14 if rng.one_in(8) => {
             editor.clear();
             check_empty(editor, "cleared");
@@ -222,7 +227,7 @@ fn edit(editor: &mut Watched, rng: &mut Rng) -> String {
 /// Edits of all kinds; after each, everything is valid, the copy is the same, and a sweep over the cells gives them again.
 #[test]
 fn scripts_of_edits() {
-    for seed in 1..120 {
+    for seed in 1..160 {
         let mut rng = Rng::new(seed);
         let traits = traits_of(*rng.choose(&[[-1, 0], [0, 1], [1, 1], [-2, 1]]));
         let mut editor = watch(empty(&traits));

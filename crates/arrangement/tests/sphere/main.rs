@@ -4,7 +4,7 @@
 //! random ones of small coordinates, so that everything degenerate happens (`random`). What the cells are, brute force tells in integer
 //! vectors (`space`, `graph`, `walks`), and the plane tells (`cube`): arcs are segments on the faces of a cube. `matching` says which
 //! cell is which, `routes` makes arrangements in every way, `laws` turns and mirrors them and moves the identification. `edits`,
-//! `zones`, `places`, `queries` and `chains` are about everything else.
+//! `zones`, `places`, `queries`, `provenance`, `data` and `chains` are about everything else.
 
 #![allow(clippy::unwrap_used)]
 
@@ -16,8 +16,10 @@ mod cube;
 #[path = "../harness/curves.rs"]
 #[allow(dead_code, reason = "the harness uses all of it")]
 mod curves;
+mod data;
 mod edits;
 mod families;
+mod free_edits;
 mod graph;
 #[path = "../history/script.rs"]
 mod history;
@@ -27,6 +29,7 @@ mod matching;
 mod own;
 mod places;
 mod planar;
+mod provenance;
 mod queries;
 mod random;
 mod routes;

@@ -1,13 +1,14 @@
 //! What the library makes of curves.
 
-use crate::arcs::Curve;
+use crate::arcs::{Arc, Curve};
 use crate::space::P;
-use dcel::VertexId;
+use dcel::{EdgeId, VertexId};
 use exact::Vector3;
 use exact::spherical::{Direction, GreatCircle};
 use splitstar_arrangement::Arrangement;
 use splitstar_arrangement::models::{Geodesic, GeodesicArc, GeodesicTraits};
 use splitstar_arrangement::topology::Sphere;
+use splitstar_arrangement::traits::CurveEnd;
 
 pub(crate) type Globe = Arrangement<GeodesicTraits, Sphere>;
 
@@ -57,4 +58,11 @@ pub(crate) fn normal_of(arc: &GeodesicArc) -> P {
 
 pub(crate) fn coordinates(globe: &Globe, v: VertexId) -> P {
     globe.point(v).expect("every vertex on a sphere is a point").coordinates()
+}
+
+/// The arc of an edge, round its normal from the min to the max end.
+pub(crate) fn arc_of(globe: &Globe, e: EdgeId) -> Arc {
+    let curve = globe.make_edge_curve(e);
+    let ends = CurveEnd::BOTH.map(|end| curve.end(end).coordinates());
+    Arc { normal: normal_of(&curve), ends: Some(ends) }
 }

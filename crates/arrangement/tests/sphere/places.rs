@@ -110,3 +110,18 @@ fn places_among_random_curves() {
     }
     assert!(seen.iter().flatten().all(|&count| count > 1_000), "{seen:?}");
 }
+
+/// Nothing ends at such a vertex, so no edge tells where it is.
+#[test]
+fn a_pole_that_is_an_isolated_vertex() {
+    use crate::arcs::{circle, point, short};
+    let mut rng = Rng::new(43);
+    let poles = [point([0, 0, 1]), point([0, 0, -1])];
+    let more = [circle([0, 0, 1]), short([1, 2, 2], [2, -1, 3]), short([-1, 0, 3], [-1, 0, 1])];
+    for count in 0..=more.len() {
+        for poles in [&poles[..1], &poles[1..], &poles] {
+            let curves = [poles, &more[..count]].concat();
+            check(&GeodesicTraits::new(), &curves, &mut rng, &mut Seen::default(), &format!("{curves:?}"));
+        }
+    }
+}

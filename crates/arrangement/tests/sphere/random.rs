@@ -2,6 +2,7 @@
 
 use crate::arcs::Curve;
 use crate::space::{P, at, cross, is_zero, opposite};
+use exact::{Integer, Sign};
 use testkit::Rng;
 
 pub(crate) fn random_point(rng: &mut Rng, range: i64) -> P {
@@ -65,4 +66,21 @@ pub(crate) fn random_curve(rng: &mut Rng, range: i64) -> Curve {
 
 pub(crate) fn random_curves(rng: &mut Rng, most: usize, range: i64) -> Vec<Curve> {
     (0..rng.index(most + 1)).map(|_| random_curve(rng, range)).collect()
+}
+
+/// A curve that is almost another: what of its points lie on circles and on each other, lies beside them.
+pub(crate) fn almost(curve: &Curve, rng: &mut Rng) -> Curve {
+    let mut near = |p: &P| -> P { p.each_ref().map(|c| (c.clone() << 40) + Integer::from(rng.within(1))) };
+    match curve {
+        Curve::Point(p) => Curve::Point(near(p)),
+        Curve::Short(p, q) => Curve::Short(near(p), near(q)),
+        Curve::Circle(n) => Curve::Circle(near(n)),
+        Curve::Around(p, q, n) if !is_parallel(p, q) => {
+            let (p, q) = (near(p), near(q));
+            let normal = cross(&p, &q);
+            let is_short = crate::space::dot(&normal, n).sign() == Sign::Positive;
+            Curve::Around(p, q, if is_short { normal } else { opposite(&normal) })
+        }
+        Curve::Via(..) | Curve::Around(..) => curve.clone(),
+    }
 }

@@ -7,7 +7,7 @@ use crate::graph::Graph;
 use crate::matching::Matching;
 use crate::own::{Globe, own, sweep, sweep_with};
 use crate::planar::all_rows;
-use crate::random::random_curves;
+use crate::random::{almost, random_curves};
 use splitstar_arrangement::models::GeodesicTraits;
 use splitstar_arrangement::overlay::overlay_all;
 use splitstar_arrangement::topology::Sphere;
@@ -156,4 +156,20 @@ fn random_curves_of_small_coordinates() {
 fn random_curves_of_large_coordinates() {
     let faces = run(20_261_124, 80, 36, &[1000, 1 << 20, 1 << 40, i64::MAX >> 2]);
     assert!(faces > 1_000, "{faces}");
+}
+
+/// Each curve, and others that floats cannot tell from it.
+#[test]
+fn random_curves_that_almost_coincide() {
+    let mut rng = Rng::new(20_261_125);
+    for case in 0..150 {
+        let context = format!("case {case}");
+        let curves = random_curves(&mut rng, 5, 2);
+        let others: Vec<Curve> = curves.iter().flat_map(|curve| [(); 2].map(|()| almost(curve, &mut rng))).collect();
+        let mut all = [curves, others].concat();
+        rng.shuffle(&mut all);
+        assert_eq!(cube::counts(&all), Graph::new(&all).counts, "{context}: {all:?}");
+        let one = [*rng.choose(&Route::ALL)];
+        check(&all, &one, &mut rng, &context);
+    }
 }

@@ -3,7 +3,7 @@
 use crate::arcs::{Arc, Curve};
 use crate::graph::{Graph, Place};
 use crate::random::random_point;
-use crate::space::{P, between, compare_way, cross, is_zero, north, opposite, orthogonal, primitive, turn};
+use crate::space::{P, compare_way, cross, is_zero, north, opposite, orthogonal, primitive, turn};
 use exact::Sign;
 use std::collections::BTreeSet;
 use testkit::Rng;
@@ -122,6 +122,15 @@ impl Graph {
         Some(first.map_or(place, |hit| self.seen(hit.place)))
     }
 
+    /// The face or edge next to a point in a direction.
+    pub(crate) fn beside_point(&self, p: &P, way: &P) -> Place {
+        let vertex = self.vertices.iter().position(|q| q == p).map(Place::Vertex);
+        match vertex.unwrap_or_else(|| self.locate(p)) {
+            Place::Face(f) => Place::Face(f),
+            place => self.place_beside(&Hit { at: p.clone(), place }, way),
+        }
+    }
+
     /// The artificial vertex is not seen, but the circle on which it lies.
     fn seen(&self, place: Place) -> Place {
         match place {
@@ -164,14 +173,7 @@ impl Graph {
     pub(crate) fn points(&self, rng: &mut Rng, most: usize) -> Vec<P> {
         let mut all = self.vertices.clone();
         for edge in &self.edges {
-            let [a, b] = edge.ends.as_ref().expect("edges have ends");
-            let ahead = primitive(&edge.forward(a));
-            let behind = opposite(&ahead);
-            let mut candidates = vec![between(a, &ahead), between(a, &behind), ahead, opposite(a), behind];
-            if !is_zero(&cross(a, b)) {
-                candidates.extend([between(a, b), opposite(&between(a, b))]);
-            }
-            all.extend(candidates.into_iter().filter(|p| edge.has_inside(p)));
+            all.extend(edge.inner_points());
         }
         rng.shuffle(&mut all);
         all.truncate(most);

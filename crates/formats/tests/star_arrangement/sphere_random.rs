@@ -44,7 +44,8 @@ fn turned(arc: &Arc) -> Arc {
         Arc::Circle(n) => Arc::Circle(n.map(|x| -x)),
         Arc::Full(p, n) => Arc::Full(*p, n.map(|x| -x)),
         Arc::Polyline(points) => Arc::Polyline(points.iter().rev().copied().collect()),
-        Arc::Point(p) => Arc::Point(p.map(|x| 3 * x)),
+        Arc::Point(p) if p.iter().all(|x| x.abs() < 1 << 60) => Arc::Point(p.map(|x| 3 * x)),
+        Arc::Point(p) => Arc::Point(*p),
     }
 }
 
@@ -67,6 +68,30 @@ fn texts_come_back_and_do_not_depend_on_the_order() {
             assert_eq!(make(identification, &arcs).counts(), other, "{name} {case}: {arcs:?}");
         }
         assert!(longest > 1000, "{name}: {longest}");
+    }
+}
+
+/// Coordinates of many digits, and crossings of what has them.
+#[test]
+fn large_coordinates_come_back() {
+    let mut numbers = Numbers::new(25);
+    for (case, bits) in (0..60).zip([20, 34, 45, 62].into_iter().cycle()) {
+        let large = |numbers: &mut Numbers| {
+            [0; 3].map(|_: i64| numbers.next() as i64 >> (63 - bits)).map(|x| if x == 0 { 1 } else { x })
+        };
+        let arcs: Vec<Arc> = (0..8)
+            .map(|i| match i {
+                0 => Arc::Circle(large(&mut numbers)),
+                1 => Arc::Point(large(&mut numbers)),
+                2 => Arc::Polyline((0..4).map(|_| large(&mut numbers)).collect()),
+                _ => Arc::Short(large(&mut numbers), large(&mut numbers)),
+            })
+            .collect();
+        let identification = IDENTIFICATIONS[case % 6];
+        let make = if case % 8 < 4 { sphere } else { chains };
+        let text = comes_back(&make(identification, &arcs));
+        let again: Vec<Arc> = arcs.iter().rev().map(turned).collect();
+        assert_eq!(write(&make(identification, &again)), text, "{case}: {arcs:?}");
     }
 }
 

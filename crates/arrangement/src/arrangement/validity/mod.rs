@@ -164,11 +164,17 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
                 found.push(Violation::Artificial(v));
             }
         }
+        // Each curve is asked once: a chain of many pieces may have many edges.
+        let mut is_own = vec![None; self.curves.len()];
         for e in self.dcel.edges() {
-            match self.curves.get(self.supports[e.index()] as usize) {
+            let support = self.supports[e.index()] as usize;
+            match self.curves.get(support) {
                 None => found.push(Violation::Support(e)),
-                Some(curve) if !self.traits.is_own_curve(curve) => found.push(Violation::ForeignSupport(e)),
-                Some(_) => {}
+                Some(curve) => {
+                    if !*is_own[support].get_or_insert_with(|| self.traits.is_own_curve(curve)) {
+                        found.push(Violation::ForeignSupport(e));
+                    }
+                }
             }
         }
     }

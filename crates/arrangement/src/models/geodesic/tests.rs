@@ -3,8 +3,6 @@ use crate::Arrangement;
 use crate::topology::Sphere;
 use exact::spherical::GreatCircle;
 
-mod laws;
-
 fn direction(coordinates: [i64; 3]) -> Direction {
     Direction::from_i64(coordinates).unwrap()
 }
@@ -78,10 +76,12 @@ fn arrangements_of_arcs() {
     let lower = via([1, 0, 0], [0, 0, -1], [-1, 0, 0]);
     assert_counts("over both poles", &[over.clone(), lower.clone()], [2, 2, 2]);
     assert_counts("and the equator", &[over, lower, circle([0, 0, 1])], [2, 4, 4]);
-    let full = Geodesic::arc_around(direction([1, 0, 0]), direction([1, 0, 0]), GreatCircle::from_i64([0, 1, 0]).unwrap());
+    let full = Geodesic::arc_around(
+        direction([1, 0, 0]),
+        direction([1, 0, 0]),
+        GreatCircle::from_i64([0, 1, 0]).unwrap(),
+    );
     assert_counts("a meridian with a vertex", &[full.unwrap()], [1, 1, 2]);
-    let long = via([1, 1, 1], [-1, 0, 0], [1, -1, -1]);
-    assert!(long.is_long() || !long.is_full());
     assert_counts("half", &[via([1, 1, 1], [-1, 0, 0], [-1, -1, -1])], [2, 1, 1]);
     let long = [via([1, 0, 0], [-1, 0, 0], [0, 1, 0]), via([1, 0, 1], [-1, 0, -1], [0, 1, 0])];
     assert_counts("long arcs of two circles", &long, [4, 4, 2]);
