@@ -102,7 +102,8 @@ impl Surface for Sphere {
     ) -> Result<Direction, Located> {
         let [east, north] = [number(longitude)?, number(latitude)?].map(Number::into_rational);
         from_degrees(&east, &north).ok_or_else(|| {
-            let what = format!("a latitude from -90 to 90 degrees behind the longitude{}", maker.in_feature());
+            let what =
+                format!("a latitude from -90 to 90 degrees behind the longitude{}", maker.in_feature());
             latitude.unexpected(&what)
         })
     }
