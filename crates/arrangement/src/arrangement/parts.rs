@@ -71,7 +71,18 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
         let Parts { dcel, points, is_artificial, curves, supports, corner_face } = parts;
         let contractions = contractions(&traits, &topology);
         let stamp = Stamp::fresh();
-        Self { traits, topology, dcel, points, is_artificial, curves, supports, corner_face, contractions, stamp }
+        Self {
+            traits,
+            topology,
+            dcel,
+            points,
+            is_artificial,
+            curves,
+            supports,
+            corner_face,
+            contractions,
+            stamp,
+        }
     }
 
     /// Replaces all cells by others.

@@ -89,11 +89,7 @@ fn outward(corner: Location) -> Ordering {
 }
 
 /// Two sites between left and right, of which one may be on the bottom or top, or be said to be there.
-fn compare_inside<G: ContractedBottomTopTraits>(
-    traits: &G,
-    a: &Site<'_, G>,
-    b: &Site<'_, G>,
-) -> Ordering {
+fn compare_inside<G: ContractedBottomTopTraits>(traits: &G, a: &Site<'_, G>, b: &Site<'_, G>) -> Ordering {
     let by_u = match (a.at, b.at) {
         (SiteAt::Point(p), SiteAt::Point(q)) => traits.compare_u(p, q),
         (SiteAt::Point(p), SiteAt::End(curve, end)) => traits.compare_u_near_end(p, curve, end),

@@ -2,7 +2,7 @@
 
 use super::decide::are_boxes_skipped;
 use super::predicates::{compare_height, coordinate_sign, rises_at, side_of_circle, turn};
-use super::{Direction, GreatCircle};
+use super::{Direction, GreatCircle, approx_angle};
 use crate::{Integer, Sign};
 use std::cmp::Ordering;
 
@@ -250,13 +250,16 @@ impl Meridian {
     /// Gives floats near to the longitude, from 0 to 2 pi, and the latitude of a point, in radians. The longitude of points on the meridian and of the
     /// poles is zero.
     pub fn approx_f64(&self, p: &Direction) -> [f64; 2] {
-        let [x, y, z] = p.approx_f64();
-        let height = z.atan2(x.hypot(y));
-        if matches!(self.part(p), Part::On | Part::South | Part::North) {
-            return [0.0, height];
-        }
+        let [angle, height] = self.approx_of_floats(p.approx_f64());
+        let is_on = matches!(self.part(p), Part::On | Part::South | Part::North);
+        [if is_on { 0.0 } else { angle }, height]
+    }
+
+    /// Gives floats near to the longitude, from 0 to 2 pi, and the latitude of a vector of floats, in radians. The same on every machine.
+    pub fn approx_of_floats(&self, [x, y, z]: [f64; 3]) -> [f64; 2] {
         let [a, b, _] = self.direction.approx_f64();
-        let angle = (a * y - b * x).atan2(a * x + b * y);
+        let angle = approx_angle([a * x + b * y, a * y - b * x]);
+        let height = approx_angle([(x * x + y * y).sqrt(), z]);
         [if angle < 0.0 { angle + std::f64::consts::TAU } else { angle }, height]
     }
 }

@@ -6,6 +6,7 @@
 //! | `direction` | [`Direction`]: coordinates, or the two great circles that cross in it, and a box of floats around a multiple of it |
 //! | `meridian` | [`Meridian`]: a half circle from which longitudes are counted; the order of directions, and keys for it |
 //! | `predicates` | sides, turns, heights: the boxes first |
+//! | `angle` | angles by floats, for pictures |
 //! | `boxes` | what floats can tell, with proofs |
 //! | [`geographic`] | directions of longitudes and latitudes in degrees |
 //! | `decide` | what they leave open: 128 bits, fixed width, or integers of any size |
@@ -36,6 +37,7 @@
 //! assert_eq!(turn(&x, &p), Sign::Positive);
 //! ```
 
+mod angle;
 mod boxes;
 mod circle;
 mod decide;
@@ -46,6 +48,7 @@ mod predicates;
 #[cfg(test)]
 mod tests;
 
+pub use angle::approx_angle;
 pub use boxes::side_of_key;
 pub use circle::GreatCircle;
 pub use direction::Direction;

@@ -347,7 +347,10 @@ pub(crate) fn special_count<G: BasicTraits, T: Topology<G>>(topology: &T) -> usi
 }
 
 /// For each vertex that stands for a side, the point to which that is contracted.
-pub(crate) fn contractions<G: BasicTraits, T: Topology<G>>(traits: &G, topology: &T) -> Vec<Option<G::Point>> {
+pub(crate) fn contractions<G: BasicTraits, T: Topology<G>>(
+    traits: &G,
+    topology: &T,
+) -> Vec<Option<G::Point>> {
     let mut points = vec![None; special_count(topology)];
     for (side, v) in topology.side_vertices().into_iter().enumerate() {
         if let Some(v) = v {

@@ -121,7 +121,8 @@ impl<G: BasicTraits, T: Topology<G>> Before<'_, G, T> {
 
     /// A vertex without edges, to come again where it was.
     fn revived(&self, v: VertexId) -> Inverse<G::Point, G::UMonotoneCurve> {
-        let point = self.arrangement.inner_point(v).expect("only a vertex that is a point is removed").clone();
+        let point =
+            self.arrangement.inner_point(v).expect("only a vertex that is a point is removed").clone();
         let is_artificial = self.arrangement.is_artificial[v.index()];
         Inverse::Edit(match self.dcel.isolated_face(v) {
             Some(face) => Edit::AddIsolatedVertex { point, is_artificial, face },

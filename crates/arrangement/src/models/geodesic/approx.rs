@@ -2,7 +2,7 @@
 
 use super::{GeodesicArc, GeodesicTraits};
 use crate::traits::{Along, ApproxTraits, CurveEnd, LandmarkTraits};
-use exact::spherical::Direction;
+use exact::spherical::{Direction, Meridian, approx_angle};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// The greatest step along u and v between points of a picture: two degrees.
@@ -50,10 +50,9 @@ impl ApproxTraits for GeodesicTraits {
             return;
         }
         let normal = curve.circle().pole().approx_f64();
-        let start = ends[0].0.approx_f64();
+        let [start, end] = ends.map(|(p, _)| p.approx_f64());
         let ahead = cross(normal, start);
-        let end = ends[1].0.approx_f64();
-        let angle = dot(ahead, end).atan2(dot(start, end));
+        let angle = approx_angle([dot(start, end), dot(ahead, end)]);
         // Rounding may take an angle near to nothing, or to half a circle, to the other side of it.
         let is_long = to[0] - from[0] > PI;
         let whole = match is_long {
@@ -62,51 +61,53 @@ impl ApproxTraits for GeodesicTraits {
             false if angle < -FRAC_PI_2 => angle + TAU,
             false => angle.max(0.0),
         };
-        let arc = Arc { start, ahead, origin: self.identification().approx_f64(), u: [from[0], to[0]] };
+        let course = Course { meridian: self.meridian(), u: [from[0], to[0].max(from[0])] };
         out.push(from);
-        arc.bisect([(0.0, from), (whole, to)], MAX_HALVINGS, out);
+        // Quarters of the circle, from which halvings need no angles.
+        let [back, down] = [start, ahead].map(|vector| vector.map(|value| -value));
+        let mut last = (start, from);
+        for (quarter, vector) in (1_u32..).zip([ahead, back, down]) {
+            if whole - f64::from(quarter) * FRAC_PI_2 < STEP {
+                break;
+            }
+            let next = (vector, course.at(vector, last.1[0]));
+            course.bisect([last, next], MAX_HALVINGS, out);
+            last = next;
+        }
+        course.bisect([last, (end, to)], MAX_HALVINGS, out);
     }
 }
 
-/// An arc by floats.
-struct Arc {
-    start: [f64; 3],
-    /// Where it is after a quarter.
-    ahead: [f64; 3],
-    /// The direction from which u is counted.
-    origin: [f64; 3],
+/// What the points of an arc are made with.
+struct Course<'m> {
+    meridian: &'m Meridian,
     /// The least and the greatest u.
     u: [f64; 2],
 }
 
-impl Arc {
-    /// The parameters after an angle.
-    fn at(&self, angle: f64) -> [f64; 2] {
-        let (sine, cosine) = angle.sin_cos();
-        let [x, y, z] = [0, 1, 2].map(|i: usize| self.start[i] * cosine + self.ahead[i] * sine);
-        let [a, b, _] = self.origin;
-        let u = (a * y - b * x).atan2(a * x + b * y).rem_euclid(TAU);
-        [u.clamp(self.u[0], self.u[1]), z.atan2(x.hypot(y))]
+impl Course<'_> {
+    /// The parameters of a vector, not to the left of a u: the arc is u-monotone, but for rounding.
+    fn at(&self, vector: [f64; 3], least: f64) -> [f64; 2] {
+        let [u, v] = self.meridian.approx_of_floats(vector);
+        let [low, high] = self.u;
+        [u.clamp(low, high).max(least), v]
     }
 
-    /// Appends the points after the first one up to the second one.
-    fn bisect(
-        &self,
-        [(low, from), (high, to)]: [(f64, [f64; 2]); 2],
-        halvings: u32,
-        out: &mut Vec<[f64; 2]>,
-    ) {
-        let is_near = (0..2).all(|i| (to[i] - from[i]).abs() <= STEP) && high - low <= 1.0;
+    /// Appends the points after the first one up to the second one, at most a quarter of the circle further.
+    fn bisect(&self, [a, b]: [([f64; 3], [f64; 2]); 2], halvings: u32, out: &mut Vec<[f64; 2]>) {
+        let ((start, from), (end, to)) = (a, b);
+        let is_near = (0..2).all(|i| (to[i] - from[i]).abs() <= STEP) && dot(start, end) > 0.5;
         if is_near || halvings == 0 {
             out.push(to);
             return;
         }
-        let middle = low + (high - low) / 2.0;
-        let [u, v] = self.at(middle);
-        // It is monotone, but for rounding beside the identification.
-        let between = (middle, [u.clamp(from[0], to[0].max(from[0])), v]);
-        self.bisect([(low, from), between], halvings - 1, out);
-        self.bisect([between, (high, to)], halvings - 1, out);
+        let sum = [0, 1, 2].map(|i: usize| start[i] + end[i]);
+        let length = dot(sum, sum).sqrt();
+        let middle = sum.map(|value| value / length);
+        let [u, v] = self.at(middle, from[0]);
+        let between = (middle, [u.min(to[0].max(from[0])), v]);
+        self.bisect([a, between], halvings - 1, out);
+        self.bisect([between, b], halvings - 1, out);
     }
 }
 
