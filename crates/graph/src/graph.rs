@@ -7,6 +7,7 @@ use crate::{
 use arrangement::Arrangement;
 use arrangement::topology::Topology;
 use arrangement::traits::BasicTraits;
+use dcel::VertexId;
 use petgraph::visit::{
     Data, EdgeCount, EdgeIndexable, GetAdjacencyMatrix, GraphBase, GraphProp, GraphRef, IntoEdgeReferences,
     IntoEdges, IntoEdgesDirected, IntoNeighbors, IntoNeighborsDirected, IntoNodeIdentifiers,
@@ -153,6 +154,7 @@ impl<'a, C: Cells, D: Way, N, E> CellGraph<'a, C, D, N, E> {
     /// ```
     /// use petgraph::visit::{IntoNodeReferences, NodeRef};
     /// use arrangement::traits::BasicTraits;
+use dcel::VertexId;
     /// use arrangement::{Arrangement, models::{Linear, LinearTraits}, topology::UnboundedPlane};
     /// use splitstar_graph::Primal;
     ///

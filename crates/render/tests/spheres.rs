@@ -55,6 +55,19 @@ fn cases() -> Vec<(&'static str, Vec<Geodesic>)> {
         ("half a circle and a long arc", vec![via(EAST, [0, 1, 1], WEST), via([1, 1, 0], WEST, [1, -1, 0])]),
         ("through a pole", vec![arc([1, 1, 4], [-1, -1, 4])]),
         ("two arcs end in a pole", vec![arc(NORTH, [3, 1, 0]), arc(NORTH, [2, -5, 1])]),
+        (
+            "beside the identification and over it",
+            [polygon(&[[-3, 0, 1], [-2, -2, 1], [-2, -2, -1]]), vec![arc([-3, 1, 4], [-3, -1, 4])]].concat(),
+        ),
+        ("around a pole, beside the identification", polygon(&[[-3, 0, 10], [1, 3, 9], [1, -3, 9]])),
+        (
+            "two triangles meet on the identification",
+            [
+                polygon(&[[-3, 0, 1], [-2, -2, 1], [-2, -2, -1]]),
+                polygon(&[[-3, 0, 1], [-2, 2, 1], [-2, 2, -1]]),
+            ]
+            .concat(),
+        ),
         ("around a pole", around(NORTH, [[1, 0, 0], [-1, 2, 0], [-1, -2, 0]])),
         ("around the end of the identification", around(WEST, [[0, 1, 1], [0, -2, 0], [0, 1, -1]])),
         ("beside the identification", polygon(&[[-3, 0, 1], [-2, -2, 1], [-2, -2, -1]])),
@@ -233,11 +246,21 @@ fn a_turned_identification_changes_no_globe() {
     }
 }
 
+/// How often something is drawn.
+fn count(scene: &Scene, layer: usize, id: &str) -> usize {
+    scene.layers()[layer].items().iter().filter(|item| item.id.as_deref() == Some(id)).count()
+}
+
+#[test]
+fn what_is_on_the_identification_is_on_both_sides() {
+    let scene = unfolded(&arrange(&[arc([-3, 0, 1], [-3, 0, -2])]));
+    assert_eq!(count(&scene, 2, "e0"), 2);
+    let drawn = ids(&scene, "vertices").iter().map(|id| count(&scene, 3, id)).collect::<Vec<_>>();
+    assert_eq!(drawn, [2, 2]);
+}
+
 #[test]
 fn what_is_on_the_horizon_is_in_both_discs() {
-    let count = |scene: &Scene, layer: usize, id: &str| {
-        scene.layers()[layer].items().iter().filter(|item| item.id.as_deref() == Some(id)).count()
-    };
     let scene = globe(&arrange(&[arc(EAST, [0, 1, 0]), point([-1, -1, 0]), point(NORTH)]), [0.0, 0.0, 1.0]);
     assert_eq!(count(&scene, 3, "e0"), 2);
     let drawn: Vec<usize> = ids(&scene, "vertices").iter().map(|id| count(&scene, 4, id)).collect();

@@ -96,13 +96,14 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let arrangement = &self.arrangement;
         let is_vertex = arrangement.dcel().has_vertex(v);
         assert!(is_vertex, "vertex {} does not exist: only a vertex is modified", v.0);
-        let old = arrangement.inner_point(v);
+        let old = arrangement.point(v);
         debug_assert!(
             old.is_some_and(|old| arrangement.traits().is_same_point(old, &point)),
             "the point is that of vertex {}",
             v.0
         );
-        if old.is_some() {
+        // The point of a contracted side is the topology's.
+        if !arrangement.stands_for_side(v) {
             self.operate(Operation::Modify, |editor| {
                 editor.arrangement.apply(Edit::SetPoint { v, point }, &mut editor.observers);
             });

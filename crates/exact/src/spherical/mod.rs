@@ -7,6 +7,7 @@
 //! | `meridian` | [`Meridian`]: a half circle from which longitudes are counted; the order of directions, and keys for it |
 //! | `predicates` | sides, turns, heights: the boxes first |
 //! | `boxes` | what floats can tell, with proofs |
+//! | [`geographic`] | directions of longitudes and latitudes in degrees |
 //! | `decide` | what they leave open: 128 bits, fixed width, or integers of any size |
 //!
 //! A point of the sphere is a direction: any positive multiple of a vector is the same point. So all that is asked is a sign, and no

@@ -92,15 +92,16 @@ struct Told {
 fn check(points: &[Direction], circles: &[GreatCircle], meridians: &[Meridian]) -> Told {
     let mut told = Told::default();
     let exact: Vec<Vector> = points.iter().map(Direction::coordinates).collect();
+    let heights: Vec<Rational> = exact.iter().map(height).collect();
     points.iter().for_each(assert_box);
     for start in ALL_STARTS {
         let _guard = force(start);
-        for (p, x) in points.iter().zip(&exact) {
-            for axis in 0..3 {
-                assert_eq!(coordinate_sign(p, axis), x[axis].sign(), "{p}, {start:?}");
+        for (i, (p, x)) in points.iter().zip(&exact).enumerate() {
+            for (axis, value) in x.iter().enumerate() {
+                assert_eq!(coordinate_sign(p, axis), value.sign(), "{p}, {start:?}");
             }
             assert_eq!(p.pole_sign() as i32, pole(x), "{p}");
-            for (q, y) in points.iter().zip(&exact) {
+            for (j, (q, y)) in points.iter().zip(&exact).enumerate() {
                 let product = cross(x, y);
                 assert_eq!(turn(p, q), product[2].sign(), "{p}, {q}, {start:?}");
                 assert_eq!(p == q, is_same(x, y), "{p}, {q}, {start:?}");
@@ -109,7 +110,7 @@ fn check(points: &[Direction], circles: &[GreatCircle], meridians: &[Meridian]) 
                 let is_on_half =
                     product[2].is_zero() && (&x[0] * &y[0] + &x[1] * &y[1]).sign() != Sign::Negative;
                 if is_on_half {
-                    assert_eq!(compare_height(p, q), height(x).cmp(&height(y)), "{p}, {q}, {start:?}");
+                    assert_eq!(compare_height(p, q), heights[i].cmp(&heights[j]), "{p}, {q}, {start:?}");
                 }
             }
             for circle in circles {
@@ -129,7 +130,7 @@ fn check(points: &[Direction], circles: &[GreatCircle], meridians: &[Meridian]) 
             }
         }
         for meridian in meridians {
-            check_meridian(meridian, points, &exact, circles, &mut told);
+            check_meridian(meridian, points, (&exact, &heights), circles, &mut told);
         }
         for m in circles {
             for n in circles {
@@ -159,13 +160,13 @@ fn check_crossing(m: &GreatCircle, n: &GreatCircle) {
 fn check_meridian(
     meridian: &Meridian,
     points: &[Direction],
-    exact: &[Vector],
+    (exact, heights): (&[Vector], &[Rational]),
     circles: &[GreatCircle],
     told: &mut Told,
 ) {
     let from = meridian.direction().coordinates();
     assert_eq!(meridian.circle().ascending_node().as_ref(), Some(meridian.direction()));
-    for (p, x) in points.iter().zip(exact) {
+    for (i, (p, x)) in points.iter().zip(exact).enumerate() {
         let is_on = pole(x) == 0 && oracle_u(x, &from, &from).is_eq();
         assert_eq!(meridian.contains(p), is_on, "{p} from {meridian:?}");
         let (key, (low, spread)) = (meridian.order_key(p), meridian.order_range(p));
@@ -176,10 +177,10 @@ fn check_meridian(
         } else {
             assert_eq!((key, spread), (0, u32::MAX), "{p} from {meridian:?}");
         }
-        for (q, y) in points.iter().zip(exact) {
+        for (j, (q, y)) in points.iter().zip(exact).enumerate() {
             let by_u = oracle_u(x, y, &from);
             assert_eq!(meridian.compare_u(p, q), by_u, "{p}, {q} from {meridian:?}");
-            let by_uv = by_u.then_with(|| height(x).cmp(&height(y)));
+            let by_uv = by_u.then_with(|| heights[i].cmp(&heights[j]));
             assert_eq!(meridian.compare_uv(p, q), by_uv, "{p}, {q} from {meridian:?}");
             let other = meridian.order_key(q);
             if key != 0 && other != 0 && key != other {

@@ -14,7 +14,7 @@ use std::ops::ControlFlow;
 impl From<SphereFault> for CurveFault {
     fn from(fault: SphereFault) -> Self {
         match fault {
-            SphereFault::SameEnds | SphereFault::TooShort => Self::Degenerate,
+            SphereFault::SameEnds | SphereFault::Empty => Self::Degenerate,
             SphereFault::Antipodal | SphereFault::AntipodalStep => Self::Antipodal,
             SphereFault::ViaEnd | SphereFault::ViaBeside => Self::Via,
         }
@@ -27,7 +27,7 @@ impl StarArrangement {
     /// If no curve is a polyline, the result is [`Sphere`](Self::Sphere), else [`SpherePolycurves`](Self::SpherePolycurves).
     ///
     /// Degenerate: points on curves are vertices of these, others are isolated vertices. Curves may overlap. Joints of polylines are no
-    /// vertices, unless something else happens there.
+    /// vertices, unless something else happens there. A polyline whose points are all the same is a point.
     ///
     /// # Errors
     /// The first curve that is none: see [`CurveFault`]. Curves that were read have no such fault.

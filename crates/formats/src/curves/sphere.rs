@@ -28,8 +28,8 @@ pub(crate) enum SphereFault {
     ViaEnd,
     /// The point between the ends does not lie on the great circle through them.
     ViaBeside,
-    /// A polyline has less than two points.
-    TooShort,
+    /// A polyline has no point.
+    Empty,
     /// Two points that follow each other in a polyline are antipodal.
     AntipodalStep,
 }
@@ -51,7 +51,7 @@ impl fmt::Display for SphereFault {
                 "the point behind `via` does not lie on the great circle through the ends of the arc; move it there, or \
                  leave it out"
             }
-            Self::TooShort => "a polyline of less than two points; give it more, or make it a point",
+            Self::Empty => "a polyline without a point; give it two points or more",
             Self::AntipodalStep => ANTIPODAL_STEP,
         })
     }
@@ -63,7 +63,7 @@ pub(crate) fn check_sphere_curve(curve: &SphereCurve) -> Result<(), SphereFault>
         SphereCurve::Arc([source, target]) if source == target => Err(SphereFault::SameEnds),
         SphereCurve::Arc([source, target]) if is_antipodal(source, target) => Err(SphereFault::Antipodal),
         SphereCurve::ArcVia(points) => check_via(points),
-        SphereCurve::Polyline(points) if points.len() < 2 => Err(SphereFault::TooShort),
+        SphereCurve::Polyline(points) if points.is_empty() => Err(SphereFault::Empty),
         SphereCurve::Polyline(points) => {
             match points.windows(2).any(|step| is_antipodal(&step[0], &step[1])) {
                 true => Err(SphereFault::AntipodalStep),

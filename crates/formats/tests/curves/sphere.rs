@@ -314,6 +314,31 @@ fn what_is_no_point_is_refused() {
     }
 }
 
+#[test]
+fn the_example_of_the_page_is_read() {
+    let page = include_str!("../../../../docs/curves.md");
+    let (_, example) = page.split_once("```sphere\n").unwrap();
+    let file = read(example.split("```").next().unwrap());
+    assert_eq!((file.curves.len(), file.notes.len()), (7, 0));
+}
+
+#[test]
+fn memory_is_bounded_by_the_file() {
+    let zeros = "0 0,".repeat(8 << 20);
+    let text = pack_gzip(format!("MULTIPOINT({zeros}0 0)\n").as_bytes());
+    let error = read_sphere_curves(&text, None).unwrap_err();
+    assert!(error.to_string().contains("too much for a file of this size"), "{error}");
+    let digits = format!("point {}1e400 1e-400 1\n", "0".repeat(100)).repeat(100_000);
+    let error = read_sphere_curves(&pack_gzip(digits.as_bytes()), None).unwrap_err();
+    assert!(error.to_string().contains("too much for a file of this size"), "{error}");
+    // What is short is within the budget.
+    let points = "1 2 3\n".repeat(1_000_000);
+    assert_eq!(read_sphere_points(points.as_bytes(), None).unwrap().points.len(), 1_000_000);
+    for line in ["point 1 2 3\n", "arc 1 0 0 0 1 0\n", "arc 1 0 0 0 1 0 via 1 1 0\n", "circle 1 2 3\n"] {
+        assert_eq!(read(&line.repeat(200_000)).curves.len(), 200_000, "{line}");
+    }
+}
+
 const SEED: u64 = 0x5F_4E6E;
 
 fn direction(random: &mut Rng) -> Direction {

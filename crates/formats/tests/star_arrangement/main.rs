@@ -9,6 +9,8 @@ mod overlaps;
 mod page;
 mod random;
 mod sphere;
+mod sphere_bad;
+mod sphere_random;
 
 use splitstar_formats::{StarArrangement, read_arrangement, write_arrangement};
 

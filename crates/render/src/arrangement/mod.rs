@@ -58,7 +58,8 @@ impl Scene {
     /// If a coordinate is too large for a double.
     ///
     /// # Complexity
-    /// Linear in the number of points of all edges, and on a torus of the copies that are seen.
+    /// Linear in the number of points of all edges, and on a torus of the copies that are seen; on a sphere, the edges of each face
+    /// that come to a side are sorted.
     pub fn of_arrangement<G: ApproxTraits, T: Topology<G>>(
         arrangement: &Arrangement<G, T>,
         shown: Option<Frame>,

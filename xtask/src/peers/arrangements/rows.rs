@@ -103,8 +103,8 @@ const LONG_300: Counts = counts(11_235, 21_570, 10_340);
 /// The arrangement of 300 arcs on the sphere.
 const ARCS_300: Counts = counts(6_145, 11_390, 5_247);
 
-/// All rows. The counts are those of CGAL 5.5.1; those of `long1000` were found by brute force, too, and those on the sphere were without
-/// the cuts of CGAL.
+/// All rows. The counts are those of CGAL 5.5.1; those of `long1000` were found by brute force, too. On the sphere they are those of brute
+/// force (a test finds them), without the cuts of CGAL.
 pub(super) const ROWS: [Row; 32] = [
     Row {
         name: "long1000",

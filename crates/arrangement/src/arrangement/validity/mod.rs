@@ -164,11 +164,17 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
                 found.push(Violation::Artificial(v));
             }
         }
+        // Each curve is asked once: a chain of many pieces may have many edges.
+        let mut is_own = vec![None; self.curves.len()];
         for e in self.dcel.edges() {
-            match self.curves.get(self.supports[e.index()] as usize) {
+            let support = self.supports[e.index()] as usize;
+            match self.curves.get(support) {
                 None => found.push(Violation::Support(e)),
-                Some(curve) if !self.traits.is_own_curve(curve) => found.push(Violation::ForeignSupport(e)),
-                Some(_) => {}
+                Some(curve) => {
+                    if !*is_own[support].get_or_insert_with(|| self.traits.is_own_curve(curve)) {
+                        found.push(Violation::ForeignSupport(e));
+                    }
+                }
             }
         }
     }
@@ -215,8 +221,8 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         let end_point = self.traits.end_point(curve, end);
         let location = |end| self.topology.end_location(&self.traits, curve, end);
         let Some(point) = self.inner_point(v) else {
-            let is_contracted = self.topology.sides().is_contracted(location(end));
-            return is_contracted || end_point.is_none() && !location(end).is_interior();
+            // There may be several: the poles of a sphere.
+            return crate::zone::side_vertex(self, location(end)) == Some(v);
         };
         if end_point.is_some_and(|end_point| self.traits.is_same_point(end_point, point)) {
             return true;

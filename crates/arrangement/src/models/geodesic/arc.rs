@@ -1,5 +1,6 @@
 //! u-monotone arcs.
 
+use super::Geodesic;
 use crate::traits::{Along, CurveEnd, Location};
 use exact::Sign;
 use exact::spherical::{Direction, GreatCircle, turn};
@@ -87,6 +88,12 @@ impl GeodesicArc {
     #[inline]
     pub fn target(&self) -> &Direction {
         &self.ends[usize::from(self.is_directed_right)]
+    }
+
+    /// The same arc as a user gives it, from its source to its target. Cut again at the same identification, it is one piece.
+    pub fn make_geodesic(&self) -> Geodesic {
+        let circle = if self.is_directed_right { self.circle.clone() } else { self.circle.opposite() };
+        Geodesic::along(self.source().clone(), self.target().clone(), circle)
     }
 
     /// Whether it goes round more than half of a circle.

@@ -119,6 +119,11 @@ impl Geodesic {
         }
     }
 
+    /// An arc whose ends are known to be on the circle.
+    pub(super) fn along(source: Direction, target: Direction, circle: GreatCircle) -> Self {
+        Self(Kind::Arc { circle, source, target })
+    }
+
     /// Makes a whole great circle. It has no end, and no vertex of its own.
     pub fn circle(circle: GreatCircle) -> Self {
         Self(Kind::Circle(circle))

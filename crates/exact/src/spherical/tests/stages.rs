@@ -104,8 +104,8 @@ fn exact_stages_at_the_limits_of_their_widths() {
             for circle in &circles {
                 assert_eq!(decide::side(p, circle), dot(x, &circle.coordinates()).sign(), "{p}, {circle}");
             }
-            for axis in 0..3 {
-                assert_eq!(decide::coordinate_sign(p, axis), x[axis].sign());
+            for (axis, value) in x.iter().enumerate() {
+                assert_eq!(decide::coordinate_sign(p, axis), value.sign());
             }
         }
     }

@@ -86,10 +86,12 @@ fn define_points<B: Base, G: Family<B>>(
         let Some(point) = &mut points[v] else { continue };
         let end = if HalfedgeId::new(index).is_even() { CurveEnd::Min } else { CurveEnd::Max };
         let pieces = G::pieces(&curves[cells.supports[index / 2] as usize]);
-        let piece = &pieces[piece_at(base, pieces, point, end).0];
+        let (piece, is_end) = piece_at(base, pieces, point, end);
+        let piece = &pieces[piece];
         let line = B::line(piece);
-        let mut ends = CurveEnd::BOTH.into_iter().filter_map(|end| base.end_point(piece, end));
-        if let Some(end) = ends.find(|&end| end == point) {
+        // A joint of a chain is an end of pieces.
+        let known_end = base.end_point(piece, end).filter(|&end| is_end || pieces.len() > 1 && end == point);
+        if let Some(end) = known_end {
             *point = end.clone();
             known[v] = Known::Done;
             continue;

@@ -93,47 +93,16 @@ fn add_ccb<G: ApproxTraits, T: Topology<G>>(
     }
 }
 
-/// Whether the boundary of the face leaves the rectangle where a halfedge ends.
+/// Whether the boundary of the face leaves the rectangle where a halfedge ends: it goes on over the identification, or around a pole.
+/// What touches the identification on one side is as if it did not.
 fn leaves_at_target<G: ApproxTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     outlines: &Outlines,
     h: HalfedgeId,
 ) -> bool {
-    let next = arrangement.dcel().next(h);
-    let ([_, end], [start, _]) = (outlines.ends_along(h), outlines.ends_along(next));
-    if end.v != Along::Inside {
-        return true;
-    }
-    let is_along_seam = [h, next].iter().any(|h| outlines.edge(h.edge_id()).is_along_seam);
-    match (end.u, start.u) {
-        (Along::Inside, _) => false,
-        (end, start) if end != start => true,
-        _ => !is_along_seam && Some(h.twin()) == first_from_beyond(arrangement, outlines, next),
-    }
-}
-
-/// Where all edges at a point of the identification are on one side of it: the one that leaves it first, counterclockwise from the
-/// other side. The face before it is on both sides.
-fn first_from_beyond<G: ApproxTraits, T: Topology<G>>(
-    arrangement: &Arrangement<G, T>,
-    outlines: &Outlines,
-    leaving: HalfedgeId,
-) -> Option<HalfedgeId> {
-    let dcel = arrangement.dcel();
-    let [side, _] = outlines.ends_along(leaving);
-    let mut first: Option<(f64, HalfedgeId)> = None;
-    for h in dcel.around(dcel.source(leaving)) {
-        if outlines.edge(h.edge_id()).is_along_seam || outlines.ends_along(h)[0].u != side.u {
-            return None;
-        }
-        let points = outlines.along(h);
-        let [du, dv] = [0, 1].map(|axis| points[1][axis] - points[0][axis]);
-        let rise = if side.u == Along::Low { dv / du.abs() } else { -dv / du.abs() };
-        if first.is_none_or(|(least, _)| rise < least) {
-            first = Some((rise, h));
-        }
-    }
-    first.map(|(_, h)| h)
+    let [_, end] = outlines.ends_along(h);
+    let [start, _] = outlines.ends_along(arrangement.dcel().next(h));
+    end.v != Along::Inside || end.u != start.u
 }
 
 /// The sides that are identified are dashed, as on a torus; those that are points are thick.
