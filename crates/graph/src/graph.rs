@@ -154,7 +154,6 @@ impl<'a, C: Cells, D: Way, N, E> CellGraph<'a, C, D, N, E> {
     /// ```
     /// use petgraph::visit::{IntoNodeReferences, NodeRef};
     /// use arrangement::traits::BasicTraits;
-use dcel::VertexId;
     /// use arrangement::{Arrangement, models::{Linear, LinearTraits}, topology::UnboundedPlane};
     /// use splitstar_graph::Primal;
     ///
