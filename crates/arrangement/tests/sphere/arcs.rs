@@ -1,7 +1,8 @@
 //! Curves as data.
 
 use crate::space::{
-    Matrix, P, at, between, compare_way, cross, dot, image, image_of_normal, is_zero, opposite, primitive, turn,
+    Matrix, P, at, between, compare_way, cross, dot, image, image_of_normal, is_zero, opposite, primitive,
+    turn,
 };
 use exact::{Integer, Sign};
 use std::cmp::Ordering;
@@ -183,7 +184,10 @@ fn arcs_go_where_they_are_told() {
     let minus = |a: [i64; 3]| a.map(|c| -c);
     let [p, q, r] = [x, y, z].map(at);
     let quarter = short(x, y).arc();
-    assert_eq!((&quarter.normal, quarter.has(&at([1, 1, 0])), quarter.has(&at([-1, 1, 0]))), (&r, true, false));
+    assert_eq!(
+        (&quarter.normal, quarter.has(&at([1, 1, 0])), quarter.has(&at([-1, 1, 0]))),
+        (&r, true, false)
+    );
     let long = via(x, minus(y), y).arc();
     assert_eq!(long.normal, opposite(&r));
     assert!(long.has(&opposite(&p)) && !long.has(&at([1, 1, 0])) && long.has(&q));

@@ -39,7 +39,8 @@ impl Side {
 
     fn project(self, p: &P) -> Point2 {
         let coordinate = |axis: usize| {
-            Rational::new(p[axis].clone(), self.height(p)).expect("the height of a point of a face is not zero")
+            Rational::new(p[axis].clone(), self.height(p))
+                .expect("the height of a point of a face is not zero")
         };
         Point2::from_rationals(&self.other_axes().map(coordinate))
     }
@@ -83,7 +84,7 @@ fn stops(arc: &Arc) -> Vec<P> {
             continue;
         }
         let plane = Arc { normal, ends: None };
-        let inside = arc.crossings(&plane).into_iter().filter(|p| is_on_cube_edge(p));
+        let inside = arc.crossings(&plane).into_iter().filter(is_on_cube_edge);
         stops.extend(inside.collect::<Vec<_>>());
     }
     let start = arc.ends.as_ref().map_or_else(|| orthogonal(&arc.normal), |[a, _]| a.clone());
@@ -148,9 +149,8 @@ pub(crate) fn counts(curves: &[Curve]) -> Counts {
         }
         places.extend(stops);
     }
-    let covers = |arc: &Arc, [p, q]: &[P; 2]| {
-        !arc.is_point() && arc.has(p) && arc.has(q) && arc.has(&between(p, q))
-    };
+    let covers =
+        |arc: &Arc, [p, q]: &[P; 2]| !arc.is_point() && arc.has(p) && arc.has(q) && arc.has(&between(p, q));
     let planes = Side::all().map(|side| arrange(side, &parts, &places));
     let mut offsets = vec![0];
     for plane in &planes {

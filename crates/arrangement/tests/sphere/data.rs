@@ -75,12 +75,12 @@ fn families_with_numbers() {
 fn random_curves_with_numbers() {
     let mut rng = Rng::new(82);
     let mut count = 0;
-    for case in 0..400 {
+    for case in 0..600 {
         let seed = rng.state();
-        let curves = random_curves(&mut rng, 1 + case % 9, 1 + case as i64 % 2);
+        let curves = random_curves(&mut rng, 2 + case % 14, 1 + case as i64 % 2);
         let identification = *rng.choose(&[[-1, 0], [0, 1], [1, 1]]);
         let context = format!("case {case}, seed {seed}, {identification:?}: {curves:?}");
         count += check_routes(&curves, identification, &mut rng, &context);
     }
-    assert!(count > 500, "{count}");
+    assert!(count > 300, "{count}");
 }

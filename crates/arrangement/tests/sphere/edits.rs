@@ -45,7 +45,10 @@ fn check_curves(editor: &Watched, curves: &[Curve], context: &str) {
 fn check_empty(editor: &Watched, context: &str) {
     check(editor, context);
     assert_eq!(editor.difference(&empty(editor.traits())), None, "{context}");
-    assert_eq!((editor.vertices().count(), editor.dcel().edge_count(), editor.dcel().face_count()), (0, 0, 1));
+    assert_eq!(
+        (editor.vertices().count(), editor.dcel().edge_count(), editor.dcel().face_count()),
+        (0, 0, 1)
+    );
     assert!([0, 1].iter().all(|&pole| editor.is_absent(dcel::VertexId(pole))), "{context}");
     Matching::new(&Graph::new(&[]), editor, context);
 }

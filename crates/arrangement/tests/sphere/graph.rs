@@ -45,11 +45,7 @@ pub(crate) struct Graph {
 /// The same for all arcs that run along one edge.
 pub(crate) fn edge_key(normal: &P, ends: Option<[P; 2]>) -> EdgeKey {
     let turned = opposite(normal);
-    if turned > *normal {
-        (turned, ends.map(|[a, b]| [b, a]))
-    } else {
-        (normal.clone(), ends)
-    }
+    if turned > *normal { (turned, ends.map(|[a, b]| [b, a])) } else { (normal.clone(), ends) }
 }
 
 /// The vertices of curves: ends, and crossings of all pairs.
@@ -131,7 +127,7 @@ impl Graph {
     /// Where a dart goes when it leaves its source.
     pub(crate) fn tangent(&self, dart: usize) -> P {
         let forward = cross(&self.edges[dart / 2].normal, &self.vertices[self.source(dart)]);
-        if dart % 2 == 0 { forward } else { opposite(&forward) }
+        if dart.is_multiple_of(2) { forward } else { opposite(&forward) }
     }
 
     fn sort_around(&mut self) {

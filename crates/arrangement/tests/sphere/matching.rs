@@ -142,5 +142,8 @@ fn check_poles(graph: &Graph, globe: &Globe, context: &str) {
         assert_eq!(globe.is_absent(v), !is_met, "{context}: the pole {pole:?}");
         assert_eq!(globe.vertices().any(|other| other == v), is_met, "{context}: the pole {pole:?}");
     }
-    assert!(globe.vertices().all(|v| v.0 < 2 || !is_pole(&coordinates(globe, v))), "{context}: poles are 0 and 1");
+    assert!(
+        globe.vertices().all(|v| v.0 < 2 || !is_pole(&coordinates(globe, v))),
+        "{context}: poles are 0 and 1"
+    );
 }

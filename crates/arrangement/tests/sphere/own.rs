@@ -50,7 +50,6 @@ pub(crate) fn sweep(curves: &[Curve]) -> Globe {
     sweep_with(&GeodesicTraits::new(), curves)
 }
 
-
 /// The normal round which a piece goes counterclockwise from its min to its max end.
 pub(crate) fn normal_of(arc: &GeodesicArc) -> P {
     arc.circle().coordinates()

@@ -85,13 +85,8 @@ fn places_in_families() {
     let mut seen = Seen::default();
     for row in rows() {
         let traits = traits_of(*rng.choose(&[[-1, 0], [-1, 0], [0, 1], [1, 2], [1, 0]]));
-        let context = format!(
-            "{}, {:?}, seed {}: {:?}",
-            row.name,
-            traits.identification(),
-            rng.state(),
-            row.curves
-        );
+        let context =
+            format!("{}, {:?}, seed {}: {:?}", row.name, traits.identification(), rng.state(), row.curves);
         check(&traits, &row.curves, &mut rng, &mut seen, &context);
     }
     assert!(seen.iter().flatten().all(|&count| count > 1_000), "{seen:?}");

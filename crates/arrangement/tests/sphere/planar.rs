@@ -10,11 +10,7 @@ use exact::{Integer, Rational};
 fn lift([x, y]: &curves::P, [a, b]: &curves::P, height: i64) -> P {
     let (x, y) = (x - a, y - b);
     let weight = x.denominator() * y.denominator();
-    [
-        x.numerator() * y.denominator(),
-        y.numerator() * x.denominator(),
-        weight * Integer::from(height),
-    ]
+    [x.numerator() * y.denominator(), y.numerator() * x.denominator(), weight * Integer::from(height)]
 }
 
 /// The curve on the sphere; lines are half circles, and rays end on the horizon.

@@ -29,7 +29,8 @@ fn check(overlay: &Globe, provenance: &Provenance, operands: &[(&[Curve], &Globe
                 let context = || format!("{p:?} of {e:?} in {i}, {context}");
                 assert_eq!(matching.place(provenance.of_edge(e)[i]), graph.locate(&p), "{}", context());
                 // On the left of an arc is its normal.
-                let sides = [(e.halfedge(), arc.normal.clone()), (e.halfedge().twin(), opposite(&arc.normal))];
+                let sides =
+                    [(e.halfedge(), arc.normal.clone()), (e.halfedge().twin(), opposite(&arc.normal))];
                 for (h, way) in sides {
                     let found = matching.place(Cell::Face(provenance.of_face(dcel.face(h))[i]));
                     assert_eq!(found, graph.beside_point(&p, &way), "beside {}", context());

@@ -51,7 +51,11 @@ pub(crate) fn random_curve(rng: &mut Rng, range: i64) -> Curve {
             let v = [0; 2].map(|_| rng.within(range));
             let through = |v: i64| [r[0].clone(), r[1].clone(), v.into()];
             let [a, b] = v.map(through);
-            if crate::space::is_pole(&r) || is_parallel(&a, &b) { Curve::Point(p) } else { Curve::Short(a, b) }
+            if crate::space::is_pole(&r) || is_parallel(&a, &b) {
+                Curve::Point(p)
+            } else {
+                Curve::Short(a, b)
+            }
         }
         // Through a pole.
         10 if !is_parallel(&p, &at([0, 0, 1])) => {
@@ -65,7 +69,40 @@ pub(crate) fn random_curve(rng: &mut Rng, range: i64) -> Curve {
 }
 
 pub(crate) fn random_curves(rng: &mut Rng, most: usize, range: i64) -> Vec<Curve> {
-    (0..rng.index(most + 1)).map(|_| random_curve(rng, range)).collect()
+    match rng.below(5) {
+        0 => random_overlaps(rng, most),
+        _ => (0..rng.index(most + 1)).map(|_| random_curve(rng, range)).collect(),
+    }
+}
+
+/// Arcs of two or three circles, and points of them: they overlap.
+fn random_overlaps(rng: &mut Rng, most: usize) -> Vec<Curve> {
+    const CIRCLES: [[[i64; 3]; 2]; 7] = [
+        [[0, 0, 1], [-1, 0, 0]],
+        [[0, 1, 0], [0, 0, 1]],
+        [[1, 0, 0], [0, 0, 1]],
+        [[1, 1, 0], [0, 0, 1]],
+        [[1, 1, 1], [1, -1, 0]],
+        [[1, 0, 1], [-1, 0, 1]],
+        [[2, -1, 3], [1, 2, 0]],
+    ];
+    let circles = [0; 3].map(|_| rng.choose(&CIRCLES).map(at));
+    let mut curve = || {
+        let [normal, start] = rng.choose(&circles).clone();
+        let ahead = cross(&normal, &start);
+        let mut point = || {
+            let [s, t] =
+                *rng.choose(&[[1, 0], [1, 1], [0, 1], [-1, 1], [-1, 0], [-1, -1], [0, -1], [1, -1], [2, 1]]);
+            [0, 1, 2].map(|i| Integer::from(s) * &start[i] + Integer::from(t) * &ahead[i])
+        };
+        let (p, q) = (point(), point());
+        match rng.below(8) {
+            0 => Curve::Point(p),
+            1 => Curve::Circle(normal),
+            _ => Curve::Around(p, q, if rng.one_in(2) { normal } else { opposite(&normal) }),
+        }
+    };
+    (0..1 + most / 2).map(|_| curve()).collect()
 }
 
 /// A curve that is almost another: what of its points lie on circles and on each other, lies beside them.

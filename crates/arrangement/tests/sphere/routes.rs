@@ -165,7 +165,8 @@ fn random_curves_that_almost_coincide() {
     for case in 0..150 {
         let context = format!("case {case}");
         let curves = random_curves(&mut rng, 5, 2);
-        let others: Vec<Curve> = curves.iter().flat_map(|curve| [(); 2].map(|()| almost(curve, &mut rng))).collect();
+        let others: Vec<Curve> =
+            curves.iter().flat_map(|curve| [(); 2].map(|()| almost(curve, &mut rng))).collect();
         let mut all = [curves, others].concat();
         rng.shuffle(&mut all);
         assert_eq!(cube::counts(&all), Graph::new(&all).counts, "{context}: {all:?}");

@@ -121,15 +121,8 @@ pub(crate) fn rotation(quaternion: [i64; 4]) -> Matrix {
 
 /// A random rotation with quaternion components from `-range` to `range`; once in four times one that maps axes to axes.
 pub(crate) fn random_rotation(rng: &mut Rng, range: i64) -> Matrix {
-    const TURNS: [[i64; 4]; 7] = [
-        [1, 0, 0, 0],
-        [1, 1, 0, 0],
-        [1, 0, 1, 0],
-        [1, 0, 0, 1],
-        [0, 1, 0, 0],
-        [1, 1, 1, 1],
-        [0, 1, 1, 0],
-    ];
+    const TURNS: [[i64; 4]; 7] =
+        [[1, 0, 0, 0], [1, 1, 0, 0], [1, 0, 1, 0], [1, 0, 0, 1], [0, 1, 0, 0], [1, 1, 1, 1], [0, 1, 1, 0]];
     if rng.one_in(4) {
         return rotation(*rng.choose(&TURNS));
     }
