@@ -18,12 +18,12 @@ const STEPS: usize = 1_000;
 const GAIN: f64 = 2.0;
 /// A gain of this part of the work at the second size is none.
 const SLACK: f64 = 0.05;
-/// The time per step grows from the second size to the third at most as this power of the size: by 4 for 16 times, by 3.2 for 10 times.
+/// The time per step grows from the second size to the third at most as this power of the size: by 7 for 16 times, by 5 for 10 times.
 ///
-/// A logarithm alone grows by less than 1.4 there, but the cells are no longer in a cache: a factor of about 3.1 in all was measured on
-/// an idle machine, which is a power of 0.4. A root alone grows by 4, and with the same caches left behind by 10. The limit is between,
-/// with room for a machine that does other things; what is near it, the work tells apart.
-const POWER: f64 = 0.5;
+/// A logarithm alone grows by less than 1.4 there, but the cells are no longer in a cache: factors of up to 3.3 in all were measured on
+/// an idle machine. A root alone grows by 4 or 3.2, and with the same caches left behind by about 10. The limit is between, with room for
+/// a machine that does other things; what is near it, the work tells apart.
+const POWER: f64 = 0.7;
 
 /// What one operation costs.
 struct Series {

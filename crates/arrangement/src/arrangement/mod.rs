@@ -243,10 +243,11 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
         self.corner_face
     }
 
-    /// Tells whether a face of an arrangement in the plane is unbounded: it has no outer CCB, or one through infinity.
+    /// Tells whether a face is unbounded: it has no outer CCB, or one through infinity. On a torus and on a sphere none is.
     pub fn is_unbounded(&self, f: FaceId) -> bool {
         let through_infinity = |h: HalfedgeId| self.is_at_infinity(self.dcel.source(h));
         self.topology.genus() == 0
+            && self.contractions.iter().all(Option::is_none)
             && (self.dcel.outer_ccbs(f).next().is_none()
                 || self.dcel.outer_ccbs(f).any(|ccb| self.dcel.ccb_cycle(ccb).any(through_infinity)))
     }

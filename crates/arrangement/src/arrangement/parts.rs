@@ -36,7 +36,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// Puts an arrangement together, whatever the parts are.
     ///
     /// Points and curves must be of this surface, which is looked at, too: on a torus, coordinates of points are at least zero and below
-    /// the periods, and curves are those of a torus with the same periods.
+    /// the periods, and curves are those of a torus with the same periods; on a sphere, curves are cut at the same identification.
     ///
     /// # Errors
     /// What [`Arrangement::check_valid`] finds; of edges that meet and cells in wrong faces only the first few.

@@ -72,7 +72,8 @@ impl Provenance {
 /// Degenerate: edges that overlap become one edge, which comes from all of them; vertices that coincide become one.
 ///
 /// # Preconditions
-/// The traits of the operands are alike: a curve or a point of one means the same to all. Those of tori have the same periods.
+/// The traits of the operands are alike: a curve or a point of one means the same to all. Those of tori have the same periods, those of spheres the
+/// same identification.
 /// Otherwise the result is not valid.
 ///
 /// # Panics

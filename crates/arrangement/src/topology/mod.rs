@@ -81,7 +81,8 @@ pub trait Topology<G: BasicTraits>: Clone + Debug + Send + Sync {
         })
     }
 
-    /// Gives the point to which a side is contracted, of left, right, bottom and top by their numbers; `None` if it is not.
+    /// Gives the point to which a side is contracted, of left, right, bottom and top by their numbers; `None` if it is not. Only bottom and top
+    /// may have one.
     ///
     /// With it, the vertex of the side is a vertex like others: it is counted if a curve comes to it or a point is given there, and can
     /// be located. Such a point lies in the left corner of its side, by [`Topology::point_location`], where [`Topology::compare_sites`]

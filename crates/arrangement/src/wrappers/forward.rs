@@ -200,6 +200,15 @@ macro_rules! forward_traits {
                 $via!(self, IsFoldbackOnSide, is_foldback_on_side(curve a, curve b, plain end))
             }
 
+            fn compare_u_to_end(
+                &self,
+                p: &Self::Point,
+                curve: &Self::UMonotoneCurve,
+                end: CurveEnd,
+            ) -> Option<Ordering> {
+                $via!(self, CompareUToEnd, compare_u_to_end(plain p, curve curve, plain end))
+            }
+
             fn direction(&self, curve: &Self::UMonotoneCurve) -> Option<bool> {
                 $via!(self, Direction, direction(curve curve))
             }

@@ -74,6 +74,7 @@ methods! {
     CompareUOnBottomTop compare_u_on_bottom_top,
     IsJointAllowed is_joint_allowed,
     IsFoldbackOnSide is_foldback_on_side,
+    CompareUToEnd compare_u_to_end,
     Direction direction,
     Connect connect,
 }

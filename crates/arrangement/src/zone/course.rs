@@ -207,12 +207,12 @@ impl<'z, G: UMonotoneTraits, T: Topology<G>> Course<'z, G, T> {
         }
     }
 
-    /// The place of a point where an arrangement keeps it: on the lower one of two identified sides.
     /// The cell at the vertex that stands for a side.
     fn cell_on_side(&self, v: VertexId) -> Cell {
         self.arrangement.face_of_absent(v).map_or(Cell::Vertex(v), Cell::Face)
     }
 
+    /// The place of a point where an arrangement keeps it: on the lower one of two identified sides.
     fn home<'s>(&self, place: &Site<'s, G>) -> Site<'s, G> {
         match place.point() {
             Some(point) if !place.location.is_interior() => {

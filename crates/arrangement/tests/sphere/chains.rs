@@ -12,6 +12,7 @@ use splitstar_arrangement::models::polycurve::{Polycurve, PolycurveTraits};
 use splitstar_arrangement::models::{GeodesicArc, GeodesicTraits};
 use splitstar_arrangement::overlay::{Cell, overlay_all};
 use splitstar_arrangement::topology::Sphere;
+use splitstar_arrangement::wrappers::CountingTraits;
 use splitstar_arrangement::{Arrangement, Counts, Editor};
 use testkit::Rng;
 
@@ -229,4 +230,16 @@ fn a_meridian_from_a_pole_meets_a_chain_in_its_middle() {
         let crossing = direction(&at([55, 22, 100]));
         assert!(made.vertices().any(|v| made.point(v) == Some(&crossing)));
     }
+}
+
+/// So it is for chains of arcs whose traits are wrapped.
+#[test]
+fn a_meridian_from_a_pole_meets_a_chain_of_wrapped_arcs() {
+    let curves = [closed(&[[3, 1, 5], [-2, 3, 5], [-2, -3, 6]]), vec![via([0, 0, -1], [5, 2, 0], [0, 0, 1])]];
+    let traits = PolycurveTraits::new(CountingTraits::new(GeodesicTraits::new()));
+    let chains = curves.iter().map(|arcs| traits.make_polycurve_of(&own(arcs)).unwrap());
+    let chains: Vec<_> = chains.collect();
+    let made = Arrangement::of_curves(traits, Sphere, &chains);
+    assert_eq!(made.check_valid(), []);
+    assert_eq!(made.counts(), make([-1, 0], &curves, &[]).counts());
 }

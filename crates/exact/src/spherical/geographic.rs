@@ -33,6 +33,7 @@ const STEPS: i64 = (1 << 30) - 1;
 /// 2. Coordinates are below 2^61 in magnitude, and the sum of their squares is a square; see [`exact_length`].
 /// 3. A longitude that is a multiple of 90 degrees is exact: the direction lies in that half plane. So is latitude 0: it lies on the
 ///    equator. The poles are exact, whatever the longitude.
+///    A place within 6e-8 degrees of the equator may be rounded to it, or beyond.
 /// 4. Reflections of places in the three coordinate planes reflect their directions. So antipodal places get antipodal directions.
 ///
 /// # Complexity

@@ -25,7 +25,7 @@ use std::fmt;
 pub enum Violation {
     /// The cells do not fit together.
     Cells(DcelViolation),
-    /// There are not as many points as vertices, or not as many supports as edges.
+    /// There are not as many points as vertices, or not as many supports as edges, or a vertex is missing that stands for a side.
     Records,
     /// The vertex has no point, and does not stand for a side.
     PointMissing(VertexId),
@@ -70,7 +70,10 @@ impl fmt::Display for Violation {
         match self {
             Self::Cells(violation) => violation.fmt(f),
             Self::Records => {
-                write!(f, "there is not one point for each vertex and one support for each edge")
+                write!(
+                    f,
+                    "there is not one point for each vertex, one support for each edge, and a vertex for each side"
+                )
             }
             Self::PointMissing(v) => write!(f, "vertex {} has no point", v.0),
             Self::PointOnSide(v) => write!(f, "vertex {} stands for a side, and has a point", v.0),
@@ -121,7 +124,8 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
             self.dcel.check_euler(genus).into_iter().map(Violation::Cells).collect();
         let are_complete = self.points.len() >= self.dcel.vertex_bound()
             && self.is_artificial.len() >= self.dcel.vertex_bound()
-            && self.supports.len() >= self.dcel.edge_bound();
+            && self.supports.len() >= self.dcel.edge_bound()
+            && (0..special_count(&self.topology)).all(|v| self.dcel.has_vertex(VertexId::new(v)));
         if !are_complete {
             found.push(Violation::Records);
         }

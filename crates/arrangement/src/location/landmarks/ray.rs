@@ -97,14 +97,14 @@ impl<G: BasicTraits, T: Topology<G>> Shot<'_, G, T> {
         };
         match wall.filter(|&site| self.compare_u(site).is_eq()) {
             // In an open corner of the left side curves end at which the ray never arrives.
-            Some(site) if self.stands_for_side(site) => None,
+            Some(site) if self.is_on_open_side(site) => None,
             Some(site) => Some(Cell::Vertex(self.ground.decomposition.vertex(site))),
             None => edge.map(Cell::Edge),
         }
     }
 
     /// Whether a site is on an open side.
-    fn stands_for_side(&self, site: SiteId) -> bool {
+    fn is_on_open_side(&self, site: SiteId) -> bool {
         let sides = self.arrangement.topology().sides();
         let is_open = |along, kinds: [SideKind; 2]| match along {
             Along::Low => kinds[0] == SideKind::Open,
