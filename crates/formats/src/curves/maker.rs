@@ -181,6 +181,11 @@ impl<'b, S: Surface> Maker<'b, S> {
         self.push(S::of_chain(points), line)
     }
 
+    /// Charges points that a curve keeps in a place of their own.
+    pub(super) fn charge_points(&mut self, count: u64, line: u32) -> Result<(), Located> {
+        self.budget.charge(Self::POINT * count).at_line(line)
+    }
+
     #[inline]
     pub(super) fn push(&mut self, curve: S::Curve, line: u32) -> Result<(), Located> {
         self.budget.charge(Self::CURVE).at_line(line)?;

@@ -188,6 +188,7 @@ fn arc(lexer: &mut Lexer<'_>, maker: &mut Maker<'_, Sphere>) -> Result<SphereCur
         return Err(word.unexpected("`via` or the end of the line"));
     }
     let via = direction(lexer, maker, "a point of three coordinates (`via x y z`)")?;
+    maker.charge_points(3, lexer.line())?;
     let [source, target] = ends;
     Ok(SphereCurve::ArcVia(Box::new([source, via, target])))
 }
