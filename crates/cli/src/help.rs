@@ -177,7 +177,7 @@ on the sphere:
                     two points), the same with via x y z (through a third point), circle nx ny nz
                     (by its normal), polyline x y z x y z ..., point x y z, with directions of any
                     length; in WKT and GeoJSON longitude and latitude in degrees: rational points
-                    of the unit sphere less than 1.4e-9 radians away
+                    of the unit sphere less than 1.5e-9 radians away
   --identification X,Y  the half circle from pole to pole through (X, Y, 0), where the sphere is cut
                     open (-1,0): what is artificial depends on it, nothing else
   --view VIEW       what a picture shows: globe (two hemispheres, default) or unfolded (longitude

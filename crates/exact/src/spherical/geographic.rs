@@ -29,11 +29,11 @@ const STEPS: i64 = (1 << 30) - 1;
 /// rest modulo 360.
 ///
 /// Laws:
-/// 1. The angle between the direction and the true one is less than 1.4e-9 radians (9 mm on the Earth).
+/// 1. The angle between the direction and the true one is less than 1.5e-9 radians (10 mm on the Earth).
 /// 2. Coordinates are below 2^61 in magnitude, and the sum of their squares is a square; see [`exact_length`].
 /// 3. A longitude that is a multiple of 90 degrees is exact: the direction lies in that half plane. So is latitude 0: it lies on the
 ///    equator. The poles are exact, whatever the longitude.
-///    A place within 6e-8 degrees of the equator may be rounded to it, or beyond.
+///    No place is rounded to the other side of the equator.
 /// 4. Reflections of places in the three coordinate planes reflect their directions. So antipodal places get antipodal directions.
 ///
 /// # Complexity
@@ -92,12 +92,25 @@ fn coordinates(longitude: &Rational, latitude: &Rational) -> Option<[i64; 3]> {
         let [i, _] = grid_place(&(around * half), &Rational::ZERO);
         [STEPS * STEPS - i * i, 2 * STEPS * i, 0]
     } else {
-        let [i, j] = grid_place(&((Rational::from(90) - north) * half), &around);
+        let [i, j] = below_equator(grid_place(&((Rational::from(90) - north) * half), &around));
         [2 * STEPS * i, 2 * STEPS * j, STEPS * STEPS - i * i - j * j]
     };
     let [x, y] = if is_side { [y, x] } else { [x, y] };
     let signed = |value: i64, is_negative: bool| if is_negative { -value } else { value };
     Some([signed(x, is_back), signed(y, is_west), signed(z, latitude.sign() == Sign::Negative)])
+}
+
+/// Takes a place of the grid that rounding moved out of the unit disc, beyond the equator, back into it.
+///
+/// The place before rounding, q (x, y) with x >= y, is in the disc. So one less along x is (x q - 1/2)^2 + (y q + 1/2)^2 <= q^2 + 1/2 at most, and an
+/// integer. The roundings were d along x and e along y, with x d + y e >= 0, so d >= -e, and the place is sqrt(1.5^2 + 0.5^2) < 1.59 steps away at
+/// most. Near the equator a step is an angle of as many radians: less than 1.5e-9.
+fn below_equator([i, j]: [i64; 2]) -> [i64; 2] {
+    if i * i + j * j <= STEPS * STEPS {
+        return [i, j];
+    }
+    // On the diagonal, both, so that reflections stay exact.
+    [i - 1, j.min(i - 1)]
 }
 
 /// The lesser of an angle and what is left of `whole`; and whether that is the second.
