@@ -5,9 +5,8 @@
 //! zero they are at least 1/2, and errors are zero or at least 2^-52: so none underflows.
 
 use super::Direction;
-use super::decide::are_boxes_skipped;
 use crate::Sign;
-use crate::stage::{Stage, count};
+use crate::stage::{Stage, are_boxes_skipped, count};
 
 /// Half the distance from 1 to the next `f64`.
 const UNIT: f64 = f64::EPSILON / 2.0;

@@ -1,8 +1,9 @@
 //! Points of the sphere, and the boxes of floats around them.
 
 use super::circle::{approx_scaled, bits_of, product, reduced};
-use super::decide::{self, is_forced};
+use super::decide;
 use super::{GreatCircle, NARROW_BITS, predicates};
+use crate::stage::is_forced;
 use crate::{Integer, Quaternion, Rational, Sign, Vector3};
 use std::fmt;
 use std::sync::Arc;

@@ -1,8 +1,8 @@
 //! Half meridians from which longitudes are counted, and the order of directions by longitude and latitude.
 
-use super::decide::are_boxes_skipped;
 use super::predicates::{compare_height, coordinate_sign, rises_at, side_of_circle, turn};
 use super::{Direction, GreatCircle, approx_angle};
+use crate::stage::are_boxes_skipped;
 use crate::{Integer, Sign};
 use std::cmp::Ordering;
 

@@ -1,9 +1,10 @@
 //! The predicates: what the boxes decide.
 
 use super::boxes::{cross_of_boxes, dot_of_boxes, sign_of_coordinate};
-use super::decide::{self, OTHERS, are_boxes_skipped, is_forced};
+use super::decide::{self, OTHERS};
 use super::{Direction, GreatCircle};
 use crate::Sign;
+use crate::stage::{are_boxes_skipped, is_forced};
 use std::cmp::Ordering;
 
 /// Gives the sign of a coordinate of a direction; axes are counted 0, 1, 2.

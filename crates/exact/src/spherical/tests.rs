@@ -171,7 +171,7 @@ fn check_meridian(
         assert_eq!(meridian.contains(p), is_on, "{p} from {meridian:?}");
         let (key, (low, spread)) = (meridian.order_key(p), meridian.order_range(p));
         if !is_on && pole(x) == 0 {
-            told.points += u32::from(!decide::are_boxes_skipped());
+            told.points += u32::from(!crate::stage::are_boxes_skipped());
             told.keys += u32::from(key != 0);
             told.ranges += u32::from(spread != u32::MAX);
         } else {
