@@ -4,11 +4,13 @@ use crate::arcs::{arcs_of, grid, identifications, pieces_of, random_arcs, random
 use crate::oracle::{
     HALF, NEARLY, QUARTER, height_at, is_on_arc, is_on_geodesic, is_pole, longitude_of, place, range_of, sign,
 };
+use exact::Integer;
 use exact::spherical::Direction;
 use splitstar_arrangement::models::{Geodesic, GeodesicArc, GeodesicTraits};
 use splitstar_arrangement::traits::{
-    Along, ApproxTraits, BasicTraits, BoundaryTraits, ContractedBottomTopTraits, CurveEnd, DirectionalTraits,
-    IdentifiedLeftRightTraits, LandmarkTraits, NearBottomTopTraits, Piece, UMonotoneTraits,
+    Along, ApproxTraits, ArrangementTraits, BasicTraits, BoundaryTraits, ContractedBottomTopTraits, CurveEnd,
+    DirectionalTraits, IdentifiedLeftRightTraits, LandmarkTraits, NearBottomTopTraits, Piece,
+    UMonotoneTraits,
 };
 use std::cmp::Ordering;
 use std::f64::consts::TAU;
@@ -269,6 +271,28 @@ fn pictures_follow_the_arcs() {
             }
             for &[u, v] in &line {
                 assert!((v - height_at(&traits, arc.circle(), u)).abs() < 1e-6, "{arc:?} at {u}");
+            }
+        }
+    }
+}
+
+/// Floats do not tell the longitude of a point that is nearer to a pole than they can say.
+#[test]
+fn pictures_of_arcs_from_beside_a_pole_have_few_points() {
+    let target = Direction::from_i64([-1, 3, 0]).unwrap();
+    for exponent in 0..400 {
+        let height = Integer::from(10).pow(exponent);
+        let start = Direction::new([Integer::ONE, Integer::ZERO, height]).unwrap();
+        let arc = Geodesic::arc(start, target.clone()).unwrap();
+        for traits in identifications() {
+            let mut pieces = Vec::new();
+            traits.make_u_monotone(&arc, &mut pieces);
+            for piece in pieces {
+                let Piece::Curve { curve, .. } = piece else { continue };
+                let mut line = Vec::new();
+                traits.approx_curve(&curve, None, None, [0.0, -QUARTER, TAU, QUARTER], &mut line);
+                assert!(line.len() < 400, "10^{exponent}: {} points", line.len());
+                assert!(line.iter().flatten().all(|value| value.is_finite()), "10^{exponent}");
             }
         }
     }

@@ -2,11 +2,14 @@
 
 use super::{GeodesicArc, GeodesicTraits};
 use crate::traits::{Along, ApproxTraits, CurveEnd, LandmarkTraits};
-use exact::spherical::{Direction, Meridian, approx_angle};
+use exact::spherical::{Direction, Meridian, approx_angle, is_between};
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 /// The greatest step along u and v between points of a picture: two degrees.
 const STEP: f64 = PI / 90.0;
+
+/// Steps along the arc below this have no points between: beside a pole, floats do not tell the longitude there.
+const RESOLVED: f64 = 1e-13;
 
 /// Halvings of an arc after which its points are near enough, whatever their parameters are: it may pass close to a pole.
 const MAX_HALVINGS: u32 = 40;
@@ -54,7 +57,8 @@ impl ApproxTraits for GeodesicTraits {
         let ahead = cross(normal, start);
         let angle = approx_angle([dot(start, end), dot(ahead, end)]);
         // Rounding may take an angle near to nothing, or to half a circle, to the other side of it.
-        let is_long = to[0] - from[0] > PI;
+        let [(p, _), (q, _)] = ends;
+        let is_long = is_between(curve.circle(), p, &p.opposite(), q);
         let whole = match is_long {
             true if angle > FRAC_PI_2 => angle,
             true => angle + TAU,
@@ -103,6 +107,12 @@ impl Course<'_> {
         }
         let sum = [0, 1, 2].map(|i: usize| start[i] + end[i]);
         let length = dot(sum, sum).sqrt();
+        let step = [0, 1, 2].map(|i: usize| end[i] - start[i]);
+        // So near together, vectors do not tell where u is; and what rounding made nearly opposite has no middle.
+        if dot(step, step) < RESOLVED * RESOLVED || length < 1.0 {
+            out.push(to);
+            return;
+        }
         let middle = sum.map(|value| value / length);
         let [u, v] = self.at(middle, from[0]);
         let between = (middle, [u.min(to[0].max(from[0])), v]);
