@@ -3,10 +3,9 @@
 
 #include "curves.h"
 
-struct Linear {
-  using Traits = CGAL::Arr_linear_traits_2<Epeck>;
+struct Linear : Planar<CGAL::Arr_linear_traits_2<Epeck>> {
   static Traits::Curve_2 curve(const Traits&, const Line& line) {
-    const auto p = kernel_point(line.points.at(0)), q = kernel_point(line.points.at(1));
+    const auto p = kernel_point(line, 0), q = kernel_point(line, 1);
     if (line.kind == "line") return Epeck::Line_2(p, q);
     if (line.kind == "ray") return Epeck::Ray_2(p, q);
     return Epeck::Segment_2(p, q);

@@ -4,11 +4,10 @@
 
 #include "curves.h"
 
-struct Polylines {
-  using Traits = CGAL::Arr_polyline_traits_2<CGAL::Arr_segment_traits_2<Epeck>>;
+struct Polylines : Planar<CGAL::Arr_polyline_traits_2<CGAL::Arr_segment_traits_2<Epeck>>> {
   static Traits::Curve_2 curve(const Traits& traits, const Line& line) {
     std::vector<Epeck::Point_2> points;
-    for (const auto& point : line.points) points.push_back(kernel_point(point));
+    for (std::size_t i = 0; 2 * i < line.numbers.size(); ++i) points.push_back(kernel_point(line, i));
     return traits.construct_curve_2_object()(points.begin(), points.end());
   }
 };

@@ -3,10 +3,9 @@
 
 #include "location.h"
 
-struct Segments {
-  using Traits = CGAL::Arr_segment_traits_2<Epeck>;
+struct Segments : Planar<CGAL::Arr_segment_traits_2<Epeck>> {
   static Traits::Curve_2 curve(const Traits&, const Line& line) {
-    return {kernel_point(line.points.at(0)), kernel_point(line.points.at(1))};
+    return {kernel_point(line, 0), kernel_point(line, 1)};
   }
 };
 

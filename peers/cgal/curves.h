@@ -28,10 +28,13 @@
 
 using Epeck = CGAL::Exact_predicates_exact_constructions_kernel;
 
-// One line of a file of curves: its first word, and the points that follow.
+// One line of a file of curves: its first word, and the numbers that follow.
 struct Line {
   std::string kind;
-  std::vector<std::pair<std::int64_t, std::int64_t>> points;
+  std::vector<std::int64_t> numbers;
+
+  // Coordinates of up to 53 bits are doubles.
+  double at(std::size_t index) const { return static_cast<double>(numbers.at(index)); }
 };
 
 // All lines, and the hash of all numbers in order, which names the input.
@@ -51,19 +54,40 @@ inline Lines read_lines(const std::string& name) {
     std::istringstream words(text);
     Line line;
     words >> line.kind;
-    for (std::int64_t x, y; words >> x >> y;) {
-      fold(x), fold(y);
-      line.points.emplace_back(x, y);
+    for (std::int64_t value; words >> value;) {
+      fold(value);
+      line.numbers.push_back(value);
     }
     r.lines.push_back(std::move(line));
   }
   return r;
 }
 
-// Coordinates of up to 53 bits are doubles.
-inline Epeck::Point_2 kernel_point(const std::pair<std::int64_t, std::int64_t>& p) {
-  return {static_cast<double>(p.first), static_cast<double>(p.second)};
+// The point of that number on a line, in the plane.
+inline Epeck::Point_2 kernel_point(const Line& line, std::size_t index) {
+  return {line.at(2 * index), line.at(2 * index + 1)};
 }
+
+// What models of curves in the plane have in common.
+template <class Geometry>
+struct Planar {
+  using Traits = Geometry;
+  using Arrangement = CGAL::Arrangement_2<Traits>;
+
+  static typename Traits::Point_2 point(const Traits&, const Line& line) { return kernel_point(line, 0); }
+
+  // Halfedges on the outer boundary.
+  template <class Face>
+  static std::size_t around(const Face& face) {
+    if (face->is_unbounded()) return 0;
+    std::size_t halfedges = 0;
+    const auto first = face->outer_ccb();
+    auto edge = first;
+    do ++halfedges;
+    while (++edge != first);
+    return halfedges;
+  }
+};
 
 // The largest resident set of this process so far. (The one of getrusage would count the process that started this one.)
 inline long peak_bytes() {
@@ -84,8 +108,10 @@ struct Answer {
   std::size_t vertices = 0, edges = 0, faces = 0;
   bool is_location = false;
   // Vertices, edges and faces where points were located or that curves met, each as often as it was found, and the lengths of
-  // the outer boundaries of these faces, added up.
+  // the boundaries of these faces, as the model measures them, added up.
   std::size_t on_vertices = 0, on_edges = 0, in_faces = 0, around = 0;
+  // How many of the points the time is for, if not for all.
+  std::size_t asked = 0;
   std::uint64_t hash = 0;
   std::vector<double> seconds, user;
   long peak = 0;
@@ -99,16 +125,20 @@ struct Answer {
     if (is_location)
       std::printf(", \"located\": {\"vertices\": %zu, \"edges\": %zu, \"faces\": %zu, \"around\": %zu}", on_vertices,
                   on_edges, in_faces, around);
+    if (asked > 0) std::printf(", \"asked\": %zu", asked);
     std::printf("}\n");
   }
 };
 
-// The operations on arrangements of one traits class. `Model` has the types `Traits` and `Curve`, and makes a curve of a line.
+// The operations on arrangements of one traits class. `Model` has the types `Traits` and `Arrangement`, makes curves and points of
+// lines, and measures the boundary of a face.
 template <class Model>
 struct Operations {
   using Traits = typename Model::Traits;
-  using Arrangement = CGAL::Arrangement_2<Traits>;
+  using Arrangement = typename Model::Arrangement;
   using Curve = typename Traits::Curve_2;
+  using Point = typename Traits::Point_2;
+  using Cell = typename CGAL::Arr_point_location_result<Arrangement>::Type;
 
   // How many files an operation reads; none if there is no such operation.
   static int files(const std::string& operation) {
@@ -130,6 +160,13 @@ struct Operations {
     std::vector<Curve> r;
     r.reserve(input.lines.size());
     for (const auto& line : input.lines) r.push_back(Model::curve(traits, line));
+    return r;
+  }
+
+  std::vector<Point> points(const Lines& queries) {
+    std::vector<Point> r;
+    r.reserve(queries.lines.size());
+    for (const auto& line : queries.lines) r.push_back(Model::point(traits, line));
     return r;
   }
 
@@ -161,6 +198,13 @@ struct Operations {
   template <class Any = Arrangement>
   std::unique_ptr<Any> empty() { return std::make_unique<Any>(&traits); }
 
+  std::unique_ptr<Arrangement> made(const Lines& input) {
+    const auto all = curves(input);
+    auto arrangement = empty();
+    CGAL::insert(*arrangement, all.begin(), all.end());
+    return arrangement;
+  }
+
   // Aggregated insertion of all curves into an empty arrangement.
   void build(const Lines& input) {
     const auto all = curves(input);
@@ -170,10 +214,7 @@ struct Operations {
 
   // Overlay of two arrangements that are made before the clock starts.
   void overlay(const Lines& red_input, const Lines& blue_input) {
-    const auto red_curves = curves(red_input), blue_curves = curves(blue_input);
-    const auto red = empty(), blue = empty();
-    CGAL::insert(*red, red_curves.begin(), red_curves.end());
-    CGAL::insert(*blue, blue_curves.begin(), blue_curves.end());
+    const auto red = made(red_input), blue = made(blue_input);
     measure([&] { return empty(); },
             [&](Arrangement& r) {
               CGAL::Arr_default_overlay_traits<Arrangement> nothing;
@@ -184,16 +225,12 @@ struct Operations {
 
   // Batched location of points in an arrangement that is made before the clock starts.
   void locate(const Lines& input, const Lines& queries) {
-    using Point = typename Traits::Point_2;
-    using Place = std::pair<Point, typename CGAL::Arr_point_location_result<Arrangement>::Type>;
-    const auto all = curves(input);
-    const auto arrangement = empty();
-    CGAL::insert(*arrangement, all.begin(), all.end());
-    std::vector<Point> points;
-    for (const auto& line : queries.lines) points.push_back(kernel_point(line.points.at(0)));
+    using Place = std::pair<Point, Cell>;
+    const auto arrangement = made(input);
+    const auto asked = points(queries);
     measure([] { return std::make_unique<std::vector<Place>>(); },
             [&](std::vector<Place>& r) {
-              CGAL::locate(*arrangement, points.begin(), points.end(), std::back_inserter(r));
+              CGAL::locate(*arrangement, asked.begin(), asked.end(), std::back_inserter(r));
             },
             [&](const std::vector<Place>& r) {
               for (const auto& place : r) look_at(place.second);
@@ -202,20 +239,44 @@ struct Operations {
     count(*arrangement);
   }
 
-  template <class Cell>
-  void look_at(const Cell& cell) {
+  // Insertion of all curves one by one, in their order, into an empty arrangement; places are found by the default strategy, which
+  // needs no preparation.
+  template <class Any>
+  void insert(const Lines& input) {
+    const auto all = curves(input);
+    measure([&] { return empty<Any>(); },
+            [&](Any& r) {
+              for (const auto& curve : all) CGAL::insert(r, curve);
+            },
+            [&](const Any& r) { count(r); });
+  }
+
+  // One point after the other, by a strategy that is made ready before the clock starts.
+  template <class Strategy, class Question>
+  void ask(const Lines& input, const Lines& queries, Question&& question) {
+    const auto arrangement = made(input);
+    const Strategy strategy(*arrangement);
+    const auto asked = points(queries);
+    measure([] { return std::make_unique<std::vector<Cell>>(); },
+            [&](std::vector<Cell>& r) {
+              for (const auto& point : asked) r.push_back(question(strategy, point));
+            },
+            [&](const std::vector<Cell>& r) {
+              for (const auto& cell : r) look_at(cell);
+            });
+    answer.is_location = true;
+    count(*arrangement);
+  }
+
+  template <class Any>
+  void look_at(const Any& cell) {
     if (boost::get<typename Arrangement::Vertex_const_handle>(&cell)) {
       ++answer.on_vertices;
     } else if (boost::get<typename Arrangement::Halfedge_const_handle>(&cell)) {
       ++answer.on_edges;
     } else {
-      const auto face = boost::get<typename Arrangement::Face_const_handle>(cell);
       ++answer.in_faces;
-      if (face->is_unbounded()) return;
-      const auto first = face->outer_ccb();
-      auto edge = first;
-      do ++answer.around;
-      while (++edge != first);
+      answer.around += Model::around(boost::get<typename Arrangement::Face_const_handle>(cell));
     }
   }
 };

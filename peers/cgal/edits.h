@@ -19,23 +19,11 @@ struct Edits : Operations<Model> {
   }
 
   void perform(const std::string& operation, const std::vector<Lines>& inputs) {
-    if (operation == "insert") insert<Arrangement>(inputs.at(0));
-    else if (operation == "insert-history") insert<Historic>(inputs.at(0));
+    if (operation == "insert") this->template insert<Arrangement>(inputs.at(0));
+    else if (operation == "insert-history") this->template insert<Historic>(inputs.at(0));
     else if (operation == "history") history(inputs.at(0));
     else if (operation == "zone" || operation == "zone-long") zone(inputs.at(0), inputs.at(1));
     else Base::perform(operation, inputs);
-  }
-
-  // Insertion of all curves one by one, in their order, into an empty arrangement; places are found by the default strategy, which
-  // needs no preparation.
-  template <class Any>
-  void insert(const Lines& input) {
-    const auto all = this->curves(input);
-    this->measure([&] { return this->template empty<Any>(); },
-                  [&](Any& r) {
-                    for (const auto& curve : all) CGAL::insert(r, curve);
-                  },
-                  [&](const Any& r) { this->count(r); });
   }
 
   // Aggregated insertion into an empty arrangement that remembers which curves its edges come from.
@@ -48,9 +36,7 @@ struct Edits : Operations<Model> {
 
   // The cells that curves meet in an arrangement that is made before the clock starts. All curves are u-monotone.
   void zone(const Lines& input, const Lines& crossing) {
-    const auto all = this->curves(input);
-    const auto arrangement = this->empty();
-    CGAL::insert(*arrangement, all.begin(), all.end());
+    const auto arrangement = this->made(input);
     using UMonotone = typename Traits::X_monotone_curve_2;
     std::vector<UMonotone> through;
     for (const auto& curve : this->curves(crossing)) through.emplace_back(curve);

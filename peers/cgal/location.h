@@ -14,9 +14,7 @@ template <class Model>
 struct Location : Edits<Model> {
   using Base = Edits<Model>;
   using typename Base::Arrangement;
-  using typename Base::Traits;
-  using Point = typename Traits::Point_2;
-  using Cell = typename CGAL::Arr_point_location_result<Arrangement>::Type;
+  using typename Base::Point;
 
   using Naive = CGAL::Arr_naive_point_location<Arrangement>;
   using Walk = CGAL::Arr_walk_along_line_point_location<Arrangement>;
@@ -36,48 +34,24 @@ struct Location : Edits<Model> {
     const auto shoot = [](const auto& strategy, const Point& point) { return strategy.ray_shoot_up(point); };
     if (operation == "make-landmarks") prepare<Landmarks>(inputs.at(0));
     else if (operation == "make-trapezoids") prepare<Trapezoids>(inputs.at(0));
-    else if (operation == "naive") ask<Naive>(inputs.at(0), inputs.at(1), locate);
-    else if (operation == "walk") ask<Walk>(inputs.at(0), inputs.at(1), locate);
-    else if (operation == "landmarks") ask<Landmarks>(inputs.at(0), inputs.at(1), locate);
+    else if (operation == "naive") this->template ask<Naive>(inputs.at(0), inputs.at(1), locate);
+    else if (operation == "walk") this->template ask<Walk>(inputs.at(0), inputs.at(1), locate);
+    else if (operation == "landmarks") this->template ask<Landmarks>(inputs.at(0), inputs.at(1), locate);
     // It has no other way for points that are handed over together.
-    else if (operation == "trapezoids" || operation == "trapezoids-together") ask<Trapezoids>(inputs.at(0), inputs.at(1), locate);
-    else if (operation == "ray") ask<Trapezoids>(inputs.at(0), inputs.at(1), shoot);
+    else if (operation == "trapezoids" || operation == "trapezoids-together")
+      this->template ask<Trapezoids>(inputs.at(0), inputs.at(1), locate);
+    else if (operation == "ray") this->template ask<Trapezoids>(inputs.at(0), inputs.at(1), shoot);
     else if (operation == "decompose") decompose(inputs.at(0));
     else Base::perform(operation, inputs);
-  }
-
-  std::unique_ptr<Arrangement> made(const Lines& input) {
-    const auto all = this->curves(input);
-    auto arrangement = this->empty();
-    CGAL::insert(*arrangement, all.begin(), all.end());
-    return arrangement;
   }
 
   // What a strategy does before the first point.
   template <class Strategy>
   void prepare(const Lines& input) {
-    const auto arrangement = made(input);
+    const auto arrangement = this->made(input);
     this->measure([] { return std::make_unique<std::unique_ptr<Strategy>>(); },
                   [&](std::unique_ptr<Strategy>& r) { r = std::make_unique<Strategy>(*arrangement); },
                   [](const std::unique_ptr<Strategy>&) {});
-    this->count(*arrangement);
-  }
-
-  // One point after the other, by a strategy that is made ready before the clock starts.
-  template <class Strategy, class Question>
-  void ask(const Lines& input, const Lines& queries, Question&& question) {
-    const auto arrangement = made(input);
-    const Strategy strategy(*arrangement);
-    std::vector<Point> points;
-    for (const auto& line : queries.lines) points.push_back(kernel_point(line.points.at(0)));
-    this->measure([] { return std::make_unique<std::vector<Cell>>(); },
-                  [&](std::vector<Cell>& r) {
-                    for (const auto& point : points) r.push_back(question(strategy, point));
-                  },
-                  [&](const std::vector<Cell>& r) {
-                    for (const auto& cell : r) this->look_at(cell);
-                  });
-    this->answer.is_location = true;
     this->count(*arrangement);
   }
 
@@ -85,7 +59,7 @@ struct Location : Edits<Model> {
   void decompose(const Lines& input) {
     using Vertex = typename Arrangement::Vertex_const_handle;
     using Entry = std::pair<Vertex, std::pair<CGAL::Object, CGAL::Object>>;
-    const auto arrangement = made(input);
+    const auto arrangement = this->made(input);
     this->measure([] { return std::make_unique<std::vector<Entry>>(); },
                   [&](std::vector<Entry>& r) { CGAL::decompose(*arrangement, std::back_inserter(r)); },
                   [&](const std::vector<Entry>& r) {

@@ -35,7 +35,7 @@ usage: cargo xtask VERB
   peers [--require] [--only PAIR] [--out F]  speed against CGAL, Manifold and SciPy; see peers/README.md
   peers arrangements [the same options]      speed of arrangements against CGAL and GEOS
   readers [--require]                        files against trimesh, Manifold, assimp and others; see peers/README.md
-  bench [growth|arrangements|editing|location|widths]
+  bench [growth|arrangements|editing|location|sphere|widths]
                                              growth of time and memory; widths of coordinates";
 
 fn main() -> ExitCode {

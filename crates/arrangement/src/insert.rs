@@ -152,7 +152,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
                 .flat_map(|end| is_artificial.iter().map(move |is| is[end as usize]));
             let mut flags: Vec<bool> = ends.chain(points.iter().map(|_| false)).collect();
             flags.resize(input.site_count(), true);
-            let builder = Builder::new(&topology, &flags);
+            let builder = Builder::new(&traits, &topology, &flags);
             let mut watched = Watched::new(builder, input.site_count(), watch);
             if sweep(&traits, &topology, &input, &mut watched).is_break() {
                 return None;

@@ -7,8 +7,8 @@
 //! | module | what |
 //! |---|---|
 //! | [`traits`] | what the engine asks of a family of curves |
-//! | [`topology`] | what it asks of a surface: bounded plane, unbounded plane, flat torus |
-//! | [`models`] | families: segments, rays and lines, polycurves, paths on a torus |
+//! | [`topology`] | what it asks of a surface: bounded plane, unbounded plane, flat torus, sphere |
+//! | [`models`] | families: segments, rays and lines, polycurves, paths on a torus, geodesic arcs on the sphere |
 //! | [`wrappers`] | traits around traits: they count or trace calls, or carry data along curves |
 //! | [`sweep`] | the algorithm: events from left to right, told to a visitor that may stop it |
 //! | [`overlay`] | all cells of several arrangements cut by one another, with provenance |

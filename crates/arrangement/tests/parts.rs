@@ -5,8 +5,9 @@
 
 use dcel::{CcbId, CcbKind, Dcel, FaceId, Halfedge, HalfedgeId, RawCcb, RawDcel, VertexId};
 use exact::planar::Point2;
-use splitstar_arrangement::models::{Linear, LinearTraits};
-use splitstar_arrangement::topology::UnboundedPlane;
+use splitstar_arrangement::models::{GeodesicTraits, Linear, LinearTraits};
+use splitstar_arrangement::topology::{Sphere, UnboundedPlane};
+use splitstar_arrangement::traits::BasicTraits;
 use splitstar_arrangement::{Arrangement, Parts, Pieces, Violation};
 
 type Plane = Arrangement<LinearTraits, UnboundedPlane>;
@@ -156,4 +157,28 @@ fn edges_on_one_support_follow_one_another() {
     }
     let violations = put_together(parts).unwrap_err();
     assert!(matches!(violations[..], [Violation::Overlap(..)]), "{violations:?}");
+}
+
+fn bare<G: BasicTraits>() -> Parts<G> {
+    Parts {
+        dcel: Dcel::new(),
+        points: Vec::new(),
+        is_artificial: Vec::new(),
+        curves: Vec::new(),
+        supports: Vec::new(),
+        corner_face: FaceId(0),
+    }
+}
+
+/// The vertices that stand for sides are asked for before anything is looked up at them.
+#[test]
+fn parts_without_the_vertices_of_sides_are_refused() {
+    let refused = Arrangement::from_parts(LinearTraits, UnboundedPlane, bare());
+    assert_eq!(refused.unwrap_err(), [Violation::Records]);
+    let refused = Arrangement::from_parts(GeodesicTraits::new(), Sphere, bare());
+    assert_eq!(refused.unwrap_err(), [Violation::Records]);
+    let mut south_only = Arrangement::new(GeodesicTraits::new(), Sphere).into_parts();
+    south_only.dcel.remove_isolated_vertex(VertexId(1));
+    let refused = Arrangement::from_parts(GeodesicTraits::new(), Sphere, south_only);
+    assert_eq!(refused.unwrap_err(), [Violation::Records]);
 }

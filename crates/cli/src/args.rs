@@ -4,7 +4,7 @@ mod check;
 mod names;
 
 use check::check;
-pub(crate) use names::{CellEncoding, CellFormat, Ray, Strategy};
+pub(crate) use names::{CellEncoding, CellFormat, Ray, Strategy, Surface, View};
 
 use crate::failure::Failure;
 use lexopt::Arg;
@@ -45,6 +45,10 @@ pub(crate) struct Run {
     pub(crate) surface: Option<Surface>,
     /// The periods of a torus, both positive.
     pub(crate) period: Option<[Rational; 2]>,
+    /// Where the sphere is cut open: the horizontal direction of a half circle from pole to pole, not zero.
+    pub(crate) identification: Option<[Rational; 2]>,
+    /// How a picture shows the sphere.
+    pub(crate) view: Option<View>,
     /// What an arrangement is written as, asked for by name.
     pub(crate) cells: Option<CellEncoding>,
     /// How cells are found, asked for by name.
@@ -75,13 +79,6 @@ pub(crate) enum Method {
     #[default]
     Overlay,
     Hull,
-}
-
-/// What curves lie on.
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Surface {
-    Plane,
-    Torus,
 }
 
 /// The parts of a motion, in the order in which they are applied.
@@ -135,7 +132,9 @@ impl Verb {
                 "json",
                 "quiet",
             ],
-            Self::Arrange => &["output", "format", "surface", "period", "json", "quiet"],
+            Self::Arrange => {
+                &["output", "format", "surface", "period", "identification", "view", "json", "quiet"]
+            }
             Self::Locate => &["output", "strategy", "ray", "json", "quiet"],
         }
     }
@@ -193,6 +192,8 @@ fn parse_run(verb: Verb, parser: &mut lexopt::Parser) -> Result<Command, Failure
         triangulate: false,
         surface: None,
         period: None,
+        identification: None,
+        view: None,
         cells: None,
         strategy: None,
         ray: None,
@@ -296,14 +297,26 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
         "translate" => run.motion.translate = Some(numbers(verb, "--translate", "X,Y,Z", &value()?)?),
         "surface" => {
             let word = value()?;
-            run.surface = match word.to_str() {
-                Some("plane") => Some(Surface::Plane),
-                Some("torus") => Some(Surface::Torus),
-                _ => {
-                    let word = word.to_string_lossy();
-                    return Err(usage(verb, format!("unknown surface `{word}`: plane or torus")));
-                }
-            };
+            run.surface = Some(word.to_str().and_then(Surface::from_name).ok_or_else(|| {
+                let word = word.to_string_lossy();
+                usage(verb, format!("unknown surface `{word}`: plane, torus or sphere"))
+            })?);
+        }
+        "view" => {
+            let word = value()?;
+            run.view = Some(word.to_str().and_then(View::from_name).ok_or_else(|| {
+                usage(verb, format!("unknown view `{}`: globe or unfolded", word.to_string_lossy()))
+            })?);
+        }
+        "identification" => {
+            let direction: [Rational; 2] = numbers(verb, "--identification", "X,Y", &value()?)?;
+            if direction.iter().all(Rational::is_zero) {
+                return Err(usage(
+                    verb,
+                    "`--identification 0,0` is no direction; give another one, such as -1,0",
+                ));
+            }
+            run.identification = Some(direction);
         }
         "strategy" => {
             let word = value()?;

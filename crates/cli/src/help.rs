@@ -26,7 +26,7 @@ verbs:
   hull     the convex hull of the points of one or more files
   info     what a file is: format, counts, dimension, convexity, volume, bounds
   convert  another format; scale, reflect, rotate, move, triangulate; any mesh
-  arrange  the arrangement of curves in the plane or on a torus: counts, cells, a picture
+  arrange  the arrangement of curves in the plane, on a torus or on the sphere: counts, cells, a picture
   locate   in which cells of an arrangement points lie, or what is above or below them
 
   splitstar VERB --help tells all about a verb, with an example.
@@ -156,7 +156,7 @@ example:
 ";
 
 const ARRANGE: &str = "\
-splitstar arrange: the arrangement of curves in the plane or on a flat torus, exact
+splitstar arrange: the arrangement of curves in the plane, on a flat torus or on the sphere, exact
 
 usage: splitstar arrange CURVES [CURVES ...] [-o OUT.star|OUT.svg] [OPTIONS]
 
@@ -167,10 +167,21 @@ usage: splitstar arrange CURVES [CURVES ...] [-o OUT.star|OUT.svg] [OPTIONS]
                     numbers are printed
   --format FORMAT   star: all cells, exact; svg: a picture; each also with .gz behind it (svg.gz);
                     without it the ending of OUT decides (star where it has none)
-  --surface SURFACE plane (default), or torus, which needs its periods
+  --surface SURFACE plane (default), torus, which needs its periods, or sphere
   --period P,Q      the periods of a torus, for files without the record `period P Q`
   --json            one JSON object on standard output: numbers of cells, times
   -q, --quiet       no notes, no summary, no progress bar
+
+on the sphere:
+  CURVES            one a line: arc x1 y1 z1 x2 y2 z2 (the shorter arc of a great circle between
+                    two points), the same with via x y z (through a third point), circle nx ny nz
+                    (by its normal), polyline x y z x y z ..., point x y z, with directions of any
+                    length; in WKT and GeoJSON longitude and latitude in degrees: rational points
+                    of the unit sphere less than 1.5e-9 radians away
+  --identification X,Y  the half circle from pole to pole through (X, Y, 0), where the sphere is cut
+                    open (-1,0): what is artificial depends on it, nothing else
+  --view VIEW       what a picture shows: globe (two hemispheres, default) or unfolded (longitude
+                    and latitude)
 
 Points of the file are isolated vertices unless a curve runs through them. Joints of polylines are
 no vertices. The numbers with splits count the vertices, too, at which curves had to be cut.
@@ -178,6 +189,7 @@ no vertices. The numbers with splits count the vertices, too, at which curves ha
 example:
   splitstar arrange curves.txt
   splitstar arrange curves.txt -o curves.svg
+  splitstar arrange --surface sphere coast.geojson -o coast.svg
 ";
 
 const LOCATE: &str = "\
@@ -188,9 +200,11 @@ usage: splitstar locate ARRANGEMENT.star POINTS [OPTIONS]
   ARRANGEMENT.star     a file that `splitstar arrange -o` has written; `-` is standard input
   POINTS               a file of points; `-` is standard input. One a line: x y, point x y, a POINT
                        of WKT or an object of GeoJSON; integers, decimals or fractions p/q. On a
-                       torus any coordinates will do
+                       torus any coordinates will do. On the sphere x y z or point x y z, and in
+                       WKT and GeoJSON longitude and latitude
   --ray DIRECTION      up or down: tell not where a point lies, but which vertex or edge a vertical
-                       ray from there meets first; if none, the face through which it leaves
+                       ray from there meets first; if none, the face through which it leaves. On
+                       the sphere it goes along the meridian, and ends in the pole
   --strategy STRATEGY  how cells are found; all give the same answers:
                        naive       look at every cell
                        walk        walk along a vertical line, face by face

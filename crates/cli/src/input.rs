@@ -24,8 +24,9 @@ impl Operand {
         let bytes = bytes(place, console, formats::check_start)?;
         let name = place.shown();
         let read = formats::read(&bytes, place.file_name().as_deref()).map_err(|error| {
-            if is_of_curves(&bytes) {
-                let sentence = format!("a file of curves, not a model; `splitstar arrange {name}` reads it");
+            if let Some(options) = options_for_curves(&bytes) {
+                let sentence =
+                    format!("a file of curves, not a model; `splitstar arrange {name}{options}` reads it");
                 return Failure::file(&name, None, sentence);
             }
             Failure::read(&name, &error)
@@ -66,9 +67,13 @@ impl Operand {
     }
 }
 
-/// Whether a file that is none of a model is one of curves, without a mistake.
-pub(crate) fn is_of_curves(bytes: &[u8]) -> bool {
-    formats::read_curves(bytes, None).is_ok_and(|file| !file.curves.is_empty() || file.period.is_some())
+/// With which options `arrange` reads a file that is none of a model, if it is one of curves without a mistake.
+pub(crate) fn options_for_curves(bytes: &[u8]) -> Option<&'static str> {
+    if formats::read_curves(bytes, None).is_ok_and(|file| !file.curves.is_empty() || file.period.is_some()) {
+        return Some("");
+    }
+    let is_of_sphere = formats::read_sphere_curves(bytes, None).is_ok_and(|file| !file.curves.is_empty());
+    is_of_sphere.then_some(" --surface sphere")
 }
 
 fn no_mesh(complex: &Complex, name: &str) -> String {
@@ -82,7 +87,7 @@ fn no_mesh(complex: &Complex, name: &str) -> String {
 }
 
 /// Tells whether the first bytes of a stream, with the name of the file if it has one, may be those of a file.
-type Check = fn(&[u8], Option<&str>) -> Result<(), ReadError>;
+pub(crate) type Check = fn(&[u8], Option<&str>) -> Result<(), ReadError>;
 
 /// Whether a stream may be a text of which this was read from the first bytes: an error that comes before the last of their lines is
 /// one of the whole text, which need not have an end. That the text ends is none.

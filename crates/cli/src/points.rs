@@ -5,7 +5,8 @@ use crate::console::Console;
 use crate::failure::Failure;
 use crate::input;
 use splitstar::exact::Rational;
-use splitstar::formats::{self, CellNumbers, PointFile, ReadError, StarArrangement};
+use splitstar::exact::spherical::Direction;
+use splitstar::formats::{self, CellNumbers, CurveNote, CurvePoint, ReadError, StarArrangement};
 
 /// An arrangement that was read.
 pub(crate) struct ArrangementOperand {
@@ -16,7 +17,25 @@ pub(crate) struct ArrangementOperand {
 /// A file of points, with the name that messages give it.
 pub(crate) struct PointOperand {
     pub(crate) name: String,
-    pub(crate) file: PointFile,
+    pub(crate) points: Points,
+    period: Option<[Rational; 2]>,
+    notes: Vec<CurveNote>,
+}
+
+/// Points of the surface of an arrangement.
+pub(crate) enum Points {
+    /// Of the plane, or of the universal cover of a torus.
+    Flat(Vec<CurvePoint>),
+    Sphere(Vec<Direction>),
+}
+
+impl Points {
+    pub(crate) fn len(&self) -> usize {
+        match self {
+            Self::Flat(points) => points.len(),
+            Self::Sphere(points) => points.len(),
+        }
+    }
 }
 
 impl ArrangementOperand {
@@ -26,9 +45,9 @@ impl ArrangementOperand {
         let name = place.shown();
         let read = formats::read_numbered_arrangement(&bytes, place.file_name().as_deref());
         let (arrangement, numbers) = read.map_err(|error| {
-            if input::is_of_curves(&bytes) {
+            if let Some(options) = input::options_for_curves(&bytes) {
                 let sentence = format!(
-                    "a file of curves, not an arrangement; `splitstar arrange {name} -o OUT.star` makes one"
+                    "a file of curves, not an arrangement; `splitstar arrange {name}{options} -o OUT.star` makes one"
                 );
                 return Failure::file(&name, None, sentence);
             }
@@ -36,6 +55,10 @@ impl ArrangementOperand {
         })?;
         console.step_done();
         Ok(Self { arrangement, numbers })
+    }
+
+    fn is_on_sphere(&self) -> bool {
+        matches!(self.arrangement, StarArrangement::Sphere(_) | StarArrangement::SpherePolycurves(_))
     }
 
     /// The periods, if it lies on a torus.
@@ -49,24 +72,31 @@ impl ArrangementOperand {
 }
 
 impl PointOperand {
-    /// Reads and parses a file or standard input.
-    pub(crate) fn read(place: &Place, console: &Console) -> Result<Self, Failure> {
-        let bytes = input::bytes(place, console, check_points)?;
-        let name = place.shown();
-        let file = formats::read_points(&bytes, place.file_name().as_deref())
-            .map_err(|error| Failure::read(&name, &error))?;
+    /// Reads and parses a file or standard input, as points of the surface of an arrangement.
+    pub(crate) fn read(place: &Place, of: &ArrangementOperand, console: &Console) -> Result<Self, Failure> {
+        let (name, file_name) = (place.shown(), place.file_name());
+        let failed = |error: ReadError| Failure::read(&name, &error);
+        let (points, period, notes) = if of.is_on_sphere() {
+            let bytes = input::bytes(place, console, check_sphere_points)?;
+            let file = formats::read_sphere_points(&bytes, file_name.as_deref()).map_err(failed)?;
+            (Points::Sphere(file.points), None, file.notes)
+        } else {
+            let bytes = input::bytes(place, console, check_points)?;
+            let file = formats::read_points(&bytes, file_name.as_deref()).map_err(failed)?;
+            (Points::Flat(file.points), file.period, file.notes)
+        };
         console.step_done();
-        Ok(Self { name, file })
+        Ok(Self { name, points, period, notes })
     }
 
     /// Tells what the reader had to leave out.
     pub(crate) fn tell_notes(&self, console: &Console) {
-        self.file.notes.iter().for_each(|note| console.note(&self.name, None, &note.to_string()));
+        self.notes.iter().for_each(|note| console.note(&self.name, None, &note.to_string()));
     }
 
     /// Refuses points of another torus than that of the arrangement, if they say of which they are.
     pub(crate) fn check_period(&self, operand: &ArrangementOperand) -> Result<(), Failure> {
-        let Some(period) = &self.file.period else { return Ok(()) };
+        let Some(period) = &self.period else { return Ok(()) };
         let shown = |[p, q]: &[Rational; 2]| format!("`period {p} {q}`");
         let sentence = match operand.period() {
             Some(other) if other == period => return Ok(()),
@@ -90,4 +120,8 @@ fn check_arrangement(start: &[u8], file_name: Option<&str>) -> Result<(), ReadEr
 
 fn check_points(start: &[u8], file_name: Option<&str>) -> Result<(), ReadError> {
     input::check_lines(start, formats::read_points(start, file_name))
+}
+
+fn check_sphere_points(start: &[u8], file_name: Option<&str>) -> Result<(), ReadError> {
+    input::check_lines(start, formats::read_sphere_points(start, file_name))
 }

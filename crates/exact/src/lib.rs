@@ -8,6 +8,7 @@
 //! | [`tier`] | the tiers and their types; counters and forcing for tests |
 //! | [`filter`], [`fixed`], [`interval`] | the numbers of the tiers |
 //! | [`planar`] | exact points and lines of the plane: crossings, their order, sides |
+//! | [`spherical`] | exact directions and great circles of the sphere: crossings, their order, sides |
 //! | [`Quaternion`], [`Affine3`], [`Linear3`] | exact rotations and affine maps |
 //!
 //! No decision is made with a tolerance, and nothing is rounded except by methods called `approx_*`. This crate knows no geometry
@@ -30,6 +31,7 @@ pub mod predicate;
 mod quaternion;
 mod rational;
 mod sign;
+pub mod spherical;
 mod stage;
 #[cfg(test)]
 mod testing;

@@ -25,6 +25,39 @@ impl Stage {
 #[inline(always)]
 pub(crate) fn count(_stage: Stage) {}
 
+/// Tells whether a test says where to begin, so that no shortcut and no narrow tier is taken.
+#[inline(always)]
+pub(crate) fn is_forced() -> bool {
+    #[cfg(any(test, feature = "force-tiers"))]
+    {
+        start() != Start::Usual
+    }
+    #[cfg(not(any(test, feature = "force-tiers")))]
+    false
+}
+
+/// Tells whether a test wants the boxes to be skipped.
+#[inline(always)]
+pub(crate) fn are_boxes_skipped() -> bool {
+    #[cfg(any(test, feature = "force-tiers"))]
+    {
+        !matches!(start(), Start::Usual | Start::Float)
+    }
+    #[cfg(not(any(test, feature = "force-tiers")))]
+    false
+}
+
+/// Tells whether a test wants integers of any size where there are no intervals, because boxes are what these could tell.
+#[inline(always)]
+pub(crate) fn is_big_forced() -> bool {
+    #[cfg(any(test, feature = "force-tiers"))]
+    {
+        matches!(start(), Start::Interval | Start::Big)
+    }
+    #[cfg(not(any(test, feature = "force-tiers")))]
+    false
+}
+
 #[cfg(any(test, feature = "count-tiers"))]
 pub(crate) use counting::count;
 #[cfg(any(test, feature = "count-tiers"))]

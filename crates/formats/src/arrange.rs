@@ -12,6 +12,8 @@ use exact::{Rational, Sign};
 use std::fmt;
 use std::ops::ControlFlow;
 
+mod sphere;
+
 /// Why curves have no arrangement.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 #[non_exhaustive]
@@ -22,8 +24,12 @@ pub enum CurveFault {
     Ray,
     /// A line on a torus.
     Line,
-    /// The two points of a ray or a line are the same, or a polyline has no point.
+    /// The two points of a ray or a line are the same, or those of an arc; or a polyline has no point.
     Degenerate,
+    /// On the sphere, two points that an arc should join are antipodal.
+    Antipodal,
+    /// On the sphere, the point between the ends of an arc is none.
+    Via,
     /// Together with those before it, the curve goes around the torus more often than [`StarArrangement::MAX_TURNS`].
     TooManyTurns,
     /// Together with those before it, the curve has more pieces than a sweep takes.
@@ -48,6 +54,10 @@ impl fmt::Display for CurveFault {
                 f.write_str("a line has no end on a torus; give a segment, or arrange in the plane")
             }
             Self::Degenerate => f.write_str("the points of the curve are the same, or it has none"),
+            Self::Antipodal => f.write_str(
+                "the points are antipodal, and every arc between them is as short; give one between",
+            ),
+            Self::Via => f.write_str("the point between the ends of the arc is not between them"),
             Self::TooManyTurns => write!(
                 f,
                 "up to here the curves go around the torus more than {} times, and are cut there; give larger \
@@ -205,9 +215,9 @@ fn turns(p: &CurvePoint, q: &CurvePoint, period: &[Rational; 2]) -> Option<i64> 
 }
 
 /// Adds all curves with `add`.
-fn collect<G: ArrangementTraits>(
-    curves: Vec<InputCurve>,
-    mut add: impl FnMut(InputCurve, &mut Pieces<G>) -> Result<(), CurveFault>,
+fn collect<C, G: ArrangementTraits>(
+    curves: Vec<C>,
+    mut add: impl FnMut(C, &mut Pieces<G>) -> Result<(), CurveFault>,
 ) -> Result<Pieces<G>, CurveError> {
     let mut pieces = Pieces::new();
     for (curve, input) in curves.into_iter().enumerate() {

@@ -11,7 +11,7 @@
 //! | cells | `complex` | what only the native format can say |
 //! | formats | `off`, `obj`, `stl`, `ply`, `threemf`, `gltf`, `vrml`, `star`, `gzip` | one folder each |
 //! | arrangements | `star` | the native format, kind `arrangement`: [`read_arrangement`], [`read_numbered_arrangement`], [`write_arrangement`] |
-//! | curves | `curves` | curves of the plane or of a torus, for arrangements: own text, WKT, GeoJSON; [`read_curves`], [`write_curves`]; points to ask about: [`read_points`] |
+//! | curves | `curves` | curves of the plane or of a torus, for arrangements: own text, WKT, GeoJSON; [`read_curves`], [`write_curves`]; points to ask about: [`read_points`]; on the sphere: [`read_sphere_curves`], [`read_sphere_points`], [`write_sphere_curves`] |
 //! | from the ones to the others | `arrange` | [`StarArrangement::of_curves`] |
 //! | doors | `format`, `read`, `write` | which format a model has, and the way there and back |
 //!
@@ -56,14 +56,16 @@ pub use complex::{
     Cell, Complex, ComplexSummary, Edge, Facet, Loss, Malformed, Position, Rule, UnmarkedCells, Vertex,
 };
 pub use curves::{
-    CurveFile, CurveNote, CurvePoint, InputCurve, PointFile, read_curves, read_points, write_curves,
-    write_periodic_curves,
+    CurveFile, CurveNote, CurvePoint, InputCurve, PointFile, SphereCurve, SphereCurveFile, SpherePointFile,
+    read_curves, read_points, read_sphere_curves, read_sphere_points, write_curves, write_periodic_curves,
+    write_sphere_curves,
 };
 pub use format::{Encoding, Format};
 pub use gzip::pack as pack_gzip;
 pub use read::{check_start, read};
 pub use star::{
-    CellNumbers, LinearArrangement, PolycurveArrangement, StarArrangement, StarText, TorusArrangement,
-    TorusPolycurveArrangement, read_arrangement, read_numbered_arrangement, write_arrangement,
+    CellNumbers, LinearArrangement, PolycurveArrangement, SphereArrangement, SpherePolycurveArrangement,
+    StarArrangement, StarText, TorusArrangement, TorusPolycurveArrangement, read_arrangement,
+    read_numbered_arrangement, write_arrangement,
 };
 pub use write::{WriteError, WriteNote, WriteOptions, Written, objects_of_triangles, write};

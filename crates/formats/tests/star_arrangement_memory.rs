@@ -64,23 +64,58 @@ fn chain(count: usize) -> String {
     )
 }
 
-fn points(count: usize) -> String {
-    let mut text = "star 1 arrangement\nsurface plane\n".to_string();
-    (0..count).for_each(|i| writeln!(text, "vertex {i} {i} 0").unwrap());
+fn points(surface: &str, rest: &str, count: usize) -> String {
+    let mut text = format!("star 1 arrangement\nsurface {surface}\n");
+    (0..count).for_each(|i| writeln!(text, "vertex {i} {i} {rest}").unwrap());
     text += "face 0\n";
     (0..count).for_each(|i| writeln!(text, "isolated {i}").unwrap());
     text + "end\n"
 }
 
+/// Short arcs of their own on the sphere, in one face.
+fn arcs(count: usize) -> String {
+    let mut text = "star 1 arrangement\nsurface sphere -1 0\n".to_string();
+    let mut put = |line: std::fmt::Arguments<'_>| text.write_fmt(line).unwrap();
+    (0..count).for_each(|i| put(format_args!("curve {i} arc {count} {i} 0 {count} {i} 1\n")));
+    (0..count).for_each(|i| {
+        put(format_args!("vertex {} {count} {i} 0\nvertex {} {count} {i} 1\n", 2 * i, 2 * i + 1));
+    });
+    (0..count).for_each(|i| put(format_args!("edge {i} {} {} curve {i}\n", 2 * i, 2 * i + 1)));
+    put(format_args!("face 0\n"));
+    (0..count).for_each(|i| put(format_args!("inner -{i} +{i}\n")));
+    text + "end\n"
+}
+
+/// A chain of many arcs that is cut into as many edges, or is one.
+fn arc_chain(count: usize, is_cut: bool) -> String {
+    let mut text = "star 1 arrangement\nsurface sphere -1 0\ncurve 0 polyline".to_string();
+    (0..count).for_each(|i| write!(text, " {count} {i} {}", i % 2).unwrap());
+    let step = if is_cut { 1 } else { count - 1 };
+    let mut put = |line: std::fmt::Arguments<'_>| text.write_fmt(line).unwrap();
+    put(format_args!("\n"));
+    let vertices = (0..count).step_by(step);
+    vertices.clone().enumerate().for_each(|(v, i)| put(format_args!("vertex {v} {count} {i} {}\n", i % 2)));
+    let edges = vertices.count() - 1;
+    (0..edges).for_each(|e| put(format_args!("edge {e} {e} {} curve 0\n", e + 1)));
+    put(format_args!("face 0\ninner"));
+    (0..edges).for_each(|e| put(format_args!(" +{e}")));
+    (0..edges).rev().for_each(|e| put(format_args!(" -{e}")));
+    text + "\nend\n"
+}
+
 #[test]
 fn reading_is_within_the_bound() {
     let texts = [
-        ("points", points(200_000)),
+        ("points", points("plane", "0", 200_000)),
         ("segments", segments(100_000)),
         ("line", cut("segment 0 0 299999 0", |_| 0, 300_000)),
         ("zigzag", cut(&zigzag(100_000), |i| i % 2, 100_000)),
         ("chain", chain(20_000)),
         ("long chain", chain(400_000)),
+        ("directions", points("sphere -1 0", "0 1", 200_000)),
+        ("arcs", arcs(100_000)),
+        ("cut chain of arcs", arc_chain(100_000, true)),
+        ("chain of arcs", arc_chain(20_000, false)),
     ];
     for (name, text) in texts {
         let bound = 64 * text.len() as u64 + 64 * MIB;

@@ -54,8 +54,10 @@ pub trait Cells: Copy + sealed::Sealed {
 /// The vertices are the nodes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Vertices {
-    /// Vertices below are no nodes: they stand for sides of the parameter space.
-    pub(crate) first: u32,
+    /// Of the first vertices, which stand for sides of the parameter space, those at infinity, as bits: they are no nodes.
+    pub(crate) at_infinity: u8,
+    /// And those at poles where nothing is, which are no nodes either.
+    pub(crate) absent: u8,
 }
 
 /// The faces are the nodes.
@@ -79,7 +81,7 @@ impl Cells for Vertices {
     }
 
     fn has(self, dcel: &Dcel, v: VertexId) -> bool {
-        v.0 >= self.first && dcel.has_vertex(v)
+        !self.leaves_out(v) && dcel.has_vertex(v)
     }
 
     fn count(self, dcel: &Dcel) -> usize {
@@ -96,21 +98,25 @@ impl Cells for Vertices {
     }
 
     fn has_edge(self, dcel: &Dcel, h: HalfedgeId) -> bool {
-        dcel.source(h).0 >= self.first && dcel.target(h).0 >= self.first
+        !self.leaves_out(dcel.source(h)) && !self.leaves_out(dcel.target(h))
     }
 
     fn edge_count(self, dcel: &Dcel) -> usize {
         let ends = self.left_out(dcel).flat_map(|v| dcel.around(v));
         // An edge with both ends there is met from both.
-        let is_counted = |h: &HalfedgeId| h.is_even() || dcel.target(*h).0 >= self.first;
+        let is_counted = |h: &HalfedgeId| h.is_even() || !self.leaves_out(dcel.target(*h));
         dcel.edge_count() - ends.filter(is_counted).count()
     }
 }
 
 impl Vertices {
+    fn leaves_out(self, v: VertexId) -> bool {
+        v.0 < u8::BITS && (self.at_infinity | self.absent) >> v.0 & 1 == 1
+    }
+
     /// The vertices that are no nodes.
     fn left_out(self, dcel: &Dcel) -> impl Iterator<Item = VertexId> + '_ {
-        (0..self.first).map(VertexId).filter(|&v| dcel.has_vertex(v))
+        (0..u8::BITS).map(VertexId).filter(move |&v| self.leaves_out(v) && dcel.has_vertex(v))
     }
 }
 

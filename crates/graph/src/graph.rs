@@ -7,6 +7,7 @@ use crate::{
 use arrangement::Arrangement;
 use arrangement::topology::Topology;
 use arrangement::traits::BasicTraits;
+use dcel::VertexId;
 use petgraph::visit::{
     Data, EdgeCount, EdgeIndexable, GetAdjacencyMatrix, GraphBase, GraphProp, GraphRef, IntoEdgeReferences,
     IntoEdges, IntoEdgesDirected, IntoNeighbors, IntoNeighborsDirected, IntoNodeIdentifiers,
@@ -95,8 +96,12 @@ impl<'a> CellGraph<'a, Vertices> {
     /// The graph of an arrangement: undirected, without infinity, the weight of a cell is its id.
     pub fn new<G: BasicTraits, T: Topology<G>>(arrangement: &'a Arrangement<G, T>) -> Self {
         // Vertices that stand for sides are the first ones.
-        let last = arrangement.topology().side_vertices().into_iter().flatten().max();
-        Self::of(arrangement, Vertices { first: last.map_or(0, |last| last + 1) })
+        let (mut at_infinity, mut absent) = (0, 0);
+        for v in arrangement.topology().side_vertices().into_iter().flatten() {
+            at_infinity |= u8::from(arrangement.is_at_infinity(VertexId(v))) << v;
+            absent |= u8::from(arrangement.is_absent(VertexId(v))) << v;
+        }
+        Self::of(arrangement, Vertices { at_infinity, absent })
     }
 }
 
@@ -108,10 +113,10 @@ impl<'a> CellGraph<'a, Faces> {
 }
 
 impl<'a, D, N, E> CellGraph<'a, Vertices, D, N, E> {
-    /// The same with the vertices that stand for sides of the parameter space as nodes: with the vertex at infinity, and all edges. It
+    /// The same with the vertices that stand for open sides of the parameter space as nodes: with the vertex at infinity, and all edges. It
     /// is there even if no curve is unbounded.
     pub fn with_infinity(mut self) -> Self {
-        self.base.cells.first = 0;
+        self.base.cells.at_infinity = 0;
         self
     }
 }

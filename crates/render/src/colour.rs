@@ -7,6 +7,8 @@
 //! # References
 //! Ottosson, A perceptual color space for image processing, 2020 (Oklab).
 
+use crate::trig::cos_sin_turns;
+
 /// A colour.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
 #[non_exhaustive]
@@ -168,40 +170,14 @@ fn cube_root(value: f64) -> f64 {
     root
 }
 
-/// Cosine and sine of a number of turns in [0, 1), by their series, for the same reason.
-fn cos_sin_turns(turns: f64) -> (f64, f64) {
-    let quarter = (turns * 4.0).floor();
-    let angle = (turns - quarter / 4.0) * std::f64::consts::TAU;
-    let (mut cos, mut sin, mut term) = (0.0, 0.0, 1.0);
-    for k in 0..24_u32 {
-        match k % 4 {
-            0 => cos += term,
-            1 => sin += term,
-            2 => cos -= term,
-            _ => sin -= term,
-        }
-        term = term * angle / f64::from(k + 1);
-    }
-    match quarter as u8 {
-        0 => (cos, sin),
-        1 => (-sin, cos),
-        2 => (-cos, -sin),
-        _ => (sin, -cos),
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
 
     #[test]
-    fn own_functions_are_those_of_mathematics() {
+    fn the_cube_root_is_that_of_mathematics() {
         for k in 0..1000 {
-            let turns = f64::from(k) / 1000.0;
-            let (cos, sin) = cos_sin_turns(turns);
-            let angle = turns * std::f64::consts::TAU;
-            assert!((cos - angle.cos()).abs() < 1e-14 && (sin - angle.sin()).abs() < 1e-14);
-            let value = 0.004 + turns * 0.996;
+            let value = 0.004 + f64::from(k) / 1000.0 * 0.996;
             assert!((cube_root(value) - value.cbrt()).abs() < 1e-14);
         }
     }

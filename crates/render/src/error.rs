@@ -22,6 +22,10 @@ pub enum RenderError {
     FrameTurnedOver,
     /// An arrow has the direction zero.
     NoDirection,
+    /// The view of a globe, or the place of its identification, has the direction zero.
+    NoView,
+    /// A globe was asked for, and the surface is not a sphere with the poles below and above.
+    NotASphere,
 }
 
 impl fmt::Display for RenderError {
@@ -33,6 +37,8 @@ impl fmt::Display for RenderError {
                 write!(f, "the least corner of the frame is greater than the greatest one")
             }
             Self::NoDirection => write!(f, "an arrow needs a direction other than zero"),
+            Self::NoView => write!(f, "a globe needs directions other than zero"),
+            Self::NotASphere => write!(f, "a globe needs an arrangement on a sphere"),
         }
     }
 }

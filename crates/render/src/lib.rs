@@ -7,7 +7,8 @@
 //! | `colour`, `style` | colours from a palette without end; fills and strokes |
 //! | `scene` | shapes, layers and the scene |
 //! | `svg` | the writer of SVG |
-//! | `arrangement` | scenes of arrangements |
+//! | `arrangement` | scenes of arrangements: of the plane, of a torus, of a sphere unfolded and as a globe |
+//! | `trig` | cosine and sine, the same on every machine |
 //!
 //! Here, and only here, a point is a pair of doubles: a picture decides nothing. Coordinates are those of the
 //! plane, with `y` upwards; sizes of strokes, markers and letters are in units of the screen.
@@ -36,7 +37,9 @@ mod frame;
 mod scene;
 mod style;
 mod svg;
+mod trig;
 
+pub use arrangement::GlobeOptions;
 pub use clip::{clip_closed_polyline, clip_line, clip_polyline, clip_ray, clip_ring, clip_segment};
 pub use colour::{Colour, Tone};
 pub use error::RenderError;

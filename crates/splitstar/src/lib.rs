@@ -8,7 +8,7 @@
 //! |---|---|
 //! | [`exact`] | integers, rationals, vectors, points, planes, rotations, predicates |
 //! | [`dcel`] | halfedge connectivity: what is next to what |
-//! | [`arrangement`] | arrangements of curves in the plane and on a torus: traits, sweep, overlay, editing, zones, history |
+//! | [`arrangement`] | arrangements of curves in the plane, on a torus and on the sphere: traits, sweep, overlay, editing, zones, history |
 //! | [`polytope`] | polytopes and meshes, convex hulls, Minkowski sums |
 //! | [`formats`] | files of models (OFF, OBJ, STL, PLY, 3MF, VRML, glTF, star), of curves (text, WKT, GeoJSON) and of arrangements (star), read and written |
 //! | [`render`] | pictures, as SVG |
@@ -129,10 +129,10 @@ pub mod prelude {
     pub use arrangement::history::ArrangementWithHistory;
     pub use arrangement::models::polycurve::PolycurveTraits;
     pub use arrangement::models::{
-        Linear, LinearTraits, Segment, SegmentTraits, TorusPath, TorusSegmentTraits,
+        Geodesic, GeodesicTraits, Linear, LinearTraits, Segment, SegmentTraits, TorusPath, TorusSegmentTraits,
     };
     pub use arrangement::overlay::{Cell, overlay_all};
-    pub use arrangement::topology::{BoundedPlane, FlatTorus, UnboundedPlane};
+    pub use arrangement::topology::{BoundedPlane, FlatTorus, Sphere, UnboundedPlane};
     pub use arrangement::{Arrangement, Editor, Pieces, locate_all};
     pub use exact::planar::{Line2, Point2};
     pub use exact::{Affine3, Integer, Plane, Point3, Quaternion, Rational, Sign, Vector3};

@@ -1,4 +1,5 @@
-//! Curves of published measurements: segments, lines, rays and polylines with coordinates of 20 bits.
+//! Curves of published measurements: segments, lines, rays and polylines with coordinates of 20 bits, arcs of great circles with
+//! coordinates of 11 bits.
 //!
 //! The same call gives the same curves on every machine, number by number, and a [`Drawn::hash`] that other programs with the
 //! same generator print too: inputs with one hash are one input. The measurements of CGAL that `cargo xtask peers arrangements`
@@ -14,6 +15,8 @@ pub const COORDINATE_BITS: u32 = 20;
 pub const POLYLINE_VERTICES: usize = 10;
 /// Steps of the [`polylines`] are in `-2^16..2^16`.
 const STEP_BITS: u32 = 17;
+/// Coordinates of directions are in `-2^10..2^10`.
+const DIRECTION_BITS: u32 = 11;
 
 /// Objects, and the hash of all their numbers in order.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -58,6 +61,16 @@ impl Source {
 
     fn point(&mut self) -> [i64; 2] {
         [(); 2].map(|()| self.unsigned(COORDINATE_BITS))
+    }
+
+    /// Not zero; what is thrown away is not the object it is drawn for.
+    fn direction(&mut self) -> [i64; 3] {
+        loop {
+            let direction = [(); 3].map(|()| self.signed(DIRECTION_BITS));
+            if direction != [0; 3] {
+                return direction;
+            }
+        }
     }
 
     fn accept(&mut self, values: &[i64]) {
@@ -162,6 +175,39 @@ pub fn query_points(count: usize, seed: u64) -> Drawn<[i64; 2]> {
         let point = source.point();
         source.accept(&point);
         point
+    };
+    let objects = (0..count).map(&mut draw).collect();
+    source.drawn(objects)
+}
+
+/// Arcs of great circles `[x1, y1, z1, x2, y2, z2]` between two random directions, which are neither equal nor opposite: the shorter arc.
+///
+/// ```
+/// let drawn = splitstar_testkit::geodesic_arcs(100, 1);
+/// assert_eq!(drawn.objects.len(), 100);
+/// assert_eq!(drawn.hash, 0xc82f_1f6a_deab_5e08);
+/// ```
+pub fn geodesic_arcs(count: usize, seed: u64) -> Drawn<[i64; 6]> {
+    let mut source = Source::new(seed);
+    let mut objects = Vec::with_capacity(count);
+    while objects.len() < count {
+        let ([a, b, c], [d, e, f]) = (source.direction(), source.direction());
+        if [b * f - c * e, c * d - a * f, a * e - b * d] != [0; 3] {
+            let arc = [a, b, c, d, e, f];
+            source.accept(&arc);
+            objects.push(arc);
+        }
+    }
+    source.drawn(objects)
+}
+
+/// Directions, some of them repeated if there are many.
+pub fn query_directions(count: usize, seed: u64) -> Drawn<[i64; 3]> {
+    let mut source = Source::new(seed);
+    let mut draw = |_| {
+        let direction = source.direction();
+        source.accept(&direction);
+        direction
     };
     let objects = (0..count).map(&mut draw).collect();
     source.drawn(objects)

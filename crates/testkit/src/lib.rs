@@ -24,8 +24,8 @@ mod random;
 
 pub use compare::{assert_same, difference, facet_planes, isomorphic};
 pub use curves::{
-    COORDINATE_BITS, Drawn, LinearKind, POLYLINE_VERTICES, lines, long_segments, mixed_curves, polylines,
-    query_points, short_segments,
+    COORDINATE_BITS, Drawn, LinearKind, POLYLINE_VERTICES, geodesic_arcs, lines, long_segments, mixed_curves,
+    polylines, query_directions, query_points, short_segments,
 };
 pub use families::{
     antiprism, bipyramid, geodesic_sphere, prism, rational_circle, segment, spread_generators,

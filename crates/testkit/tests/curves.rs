@@ -1,8 +1,8 @@
 //! The generators of curves against the hashes that were published with the measurements of CGAL.
 
 use splitstar_testkit::{
-    LinearKind, POLYLINE_VERTICES, lines, long_segments, mixed_curves, polylines, query_points,
-    short_segments,
+    LinearKind, POLYLINE_VERTICES, geodesic_arcs, lines, long_segments, mixed_curves, polylines,
+    query_directions, query_points, short_segments,
 };
 
 #[test]
@@ -27,6 +27,12 @@ fn hashes_are_the_published_ones() {
         ("polyline 100", polylines(100, 1).hash, 0xb4b1_4b96_213c_ac86),
         ("polyline 300", polylines(300, 1).hash, 0xf32a_0ca6_217f_8da6),
         ("polyline 1000", polylines(1_000, 1).hash, 0x7d1f_4127_2e8e_6956),
+        ("sphere 100", geodesic_arcs(100, 1).hash, 0xc82f_1f6a_deab_5e08),
+        ("sphere 300", geodesic_arcs(300, 1).hash, 0xd117_972a_a606_757b),
+        ("sphere 300, second", geodesic_arcs(300, 2).hash, 0x4d22_76ab_2d5f_463d),
+        ("sphere 1000", geodesic_arcs(1_000, 1).hash, 0xa56e_79ef_cf51_288c),
+        ("sphere 3000", geodesic_arcs(3_000, 1).hash, 0x686d_acf6_844b_6fad),
+        ("queries on the sphere 10000", query_directions(10_000, 1_000).hash, 0xfd37_8613_c0c9_dbf2),
         ("queries 10000", query_points(10_000, 1_000).hash, 0x19d3_c591_bd35_d28b),
     ];
     for (name, hash, published) in rows {
@@ -45,6 +51,11 @@ fn first_curves_are_as_computed_by_another_program() {
         [[594_082, 782_008, 601_798, 781_096], [465_845, 799_952, 472_027, 800_329]]
     );
     assert_eq!(query_points(2, 1_000).objects, [[246_251, 853_929], [810_982, 324_877]]);
+    assert_eq!(
+        geodesic_arcs(2, 1).objects,
+        [[136, 503, 964, -114, -115, 538], [772, 47, -440, 602, -197, 215]]
+    );
+    assert_eq!(query_directions(2, 1_000).objects, [[-544, 643, 559], [-390, 367, 692]]);
     let walk = &polylines(1, 1).objects[0];
     assert_eq!(walk.len(), POLYLINE_VERTICES);
     assert_eq!(walk[..3], [[594_082, 782_008], [655_817, 774_715], [648_511, 809_173]]);
@@ -65,5 +76,6 @@ fn kinds_alternate() {
 fn a_longer_input_begins_like_a_shorter_one() {
     assert_eq!(short_segments(100, 12, 5).objects[..10], short_segments(10, 12, 5).objects);
     assert_eq!(polylines(20, 5).objects[..10], polylines(10, 5).objects);
+    assert_eq!(geodesic_arcs(100, 5).objects[..10], geodesic_arcs(10, 5).objects);
     assert!(short_segments(0, 12, 5).objects.is_empty());
 }

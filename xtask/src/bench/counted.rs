@@ -1,15 +1,15 @@
 //! What edits ask of the geometry and change in the cells, counted: neither a clock nor a cache has a part in it.
 
 use arrangement::edit::{Done, EditOf, Observer};
-use arrangement::models::{Segment, SegmentTraits};
-use arrangement::topology::{BoundedPlane, Topology};
-use arrangement::traits::BasicTraits;
+use arrangement::models::{GeodesicTraits, Segment, SegmentTraits};
+use arrangement::topology::{BoundedPlane, Sphere, Topology};
+use arrangement::traits::{BasicTraits, UMonotoneTraits};
 use arrangement::wrappers::CountingTraits;
 use arrangement::{Arrangement, Editor};
-use testkit::{Rng, short_segments};
+use testkit::{Rng, geodesic_arcs, short_segments};
 
 use crate::Failure;
-use crate::peers::arrangements::{Holes, Operation};
+use crate::peers::arrangements::{Holes, Operation, arcs};
 
 /// Curves whose zones are asked for, as where time is measured.
 const CROSSING: usize = 100;
@@ -40,18 +40,31 @@ impl<G: BasicTraits, T: Topology<G>> Observer<G, T> for Changes {
     }
 }
 
-type Plane = Editor<CountingTraits<SegmentTraits>, BoundedPlane, Changes>;
+type Counting<G, T> = Editor<CountingTraits<G>, T, Changes>;
+type Plane = Counting<SegmentTraits, BoundedPlane>;
 
 /// An editor of what a sweep makes, whose work is not counted.
 fn editor(segments: &[Segment]) -> Result<Plane, Failure> {
-    let arrangement = Arrangement::of_curves(CountingTraits::new(SegmentTraits), BoundedPlane, segments);
+    edited(Arrangement::of_curves(CountingTraits::new(SegmentTraits), BoundedPlane, segments))
+}
+
+/// An editor whose work is counted from now on.
+fn edited<G, T>(arrangement: Arrangement<CountingTraits<G>, T>) -> Result<Counting<G, T>, Failure>
+where
+    G: UMonotoneTraits,
+    T: Topology<CountingTraits<G>>,
+{
     let editor = Editor::with_observers(arrangement, Changes::default())?;
     editor.traits().counters().reset();
     Ok(editor)
 }
 
 /// The work since the editor was made.
-fn work(editor: &Plane) -> u64 {
+fn work<G, T>(editor: &Counting<G, T>) -> u64
+where
+    G: UMonotoneTraits,
+    T: Topology<CountingTraits<G>>,
+{
     editor.traits().counters().total() + editor.observers().0
 }
 
@@ -95,6 +108,28 @@ pub(super) fn of_short(operation: Operation, count: usize, bits: u32) -> Result<
     }
 }
 
+/// A sweep over arcs on a sphere, or insertion of them one by one, as they are measured in time. Steps are vertices of the user's view.
+///
+/// # Errors
+/// If it is another operation.
+pub(super) fn of_arcs(operation: Operation, count: usize) -> Result<Counted, Failure> {
+    let arcs = arcs(&geodesic_arcs(count, 1).objects)?;
+    let traits = CountingTraits::new(GeodesicTraits::new());
+    match operation {
+        Operation::Build => {
+            let arrangement = Arrangement::of_curves(traits, Sphere, &arcs);
+            let work = arrangement.traits().counters().total();
+            Ok(Counted { work, steps: arrangement.counts().vertices })
+        }
+        Operation::Insert => {
+            let mut editor = edited(Arrangement::new(traits, Sphere))?;
+            arcs.iter().for_each(|arc| drop(editor.insert_curve(arc)));
+            Ok(Counted { work: work(&editor), steps: editor.counts().vertices })
+        }
+        _ => Err(format!("{operation} is not counted").into()),
+    }
+}
+
 /// So many small faces are split off one with so many holes.
 ///
 /// # Errors
@@ -122,5 +157,10 @@ mod tests {
             assert_eq!(of_short(operation, 50, 17).expect("it is counted"), counted, "the same again");
         }
         assert!(of_short(Operation::Overlay, 50, 17).is_err());
+        for operation in [Operation::Build, Operation::Insert] {
+            let counted = of_arcs(operation, 20).expect("it is counted");
+            assert!(counted.steps > 40 && counted.per_step() > 1.0, "{operation}: {counted:?}");
+        }
+        assert!(of_arcs(Operation::Remove, 20).is_err());
     }
 }

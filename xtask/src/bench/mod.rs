@@ -6,6 +6,7 @@
 //! | `arrangements` | short segments of growing number: time per event |
 //! | `editing` | curves inserted one by one into growing arrangements, faces with thousands of holes: time and counted work per step (`counted`) |
 //! | `location` | points in growing arrangements: time and predicates per query |
+//! | `sphere` | random arcs on a sphere: time and counted work of a sweep, of insertion one by one, and of queries |
 //! | `widths` | a histogram of coordinate widths, and the speed at given widths |
 //!
 //! `bench repeat A B N` sums two files N times and does nothing else: what a profiler looks at. The difference of two N is the
@@ -18,6 +19,7 @@ mod counted;
 mod editing;
 mod growth;
 mod location;
+mod sphere;
 mod widths;
 
 use std::fs;
@@ -34,18 +36,20 @@ use crate::{Failure, shell};
 /// If an input cannot be written or summed.
 pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
     match words {
-        [] => [growth::run, arrangements::run, editing::run, location::run, widths::run]
+        [] => [growth::run, arrangements::run, editing::run, location::run, sphere::run, widths::run]
             .iter()
             .try_for_each(|run| run()),
         ["growth"] => growth::run(),
         ["arrangements"] => arrangements::run(),
         ["editing"] => editing::run(),
         ["location"] => location::run(),
+        ["sphere"] => sphere::run(),
         ["widths"] => widths::run(),
         ["--case", a, b] => case(&[PathBuf::from(a), PathBuf::from(b)]),
         ["repeat", a, b, times] => repeat(&[PathBuf::from(a), PathBuf::from(b)], times.parse()?),
         _ => {
-            Err("usage: cargo xtask bench [growth|arrangements|editing|location|widths|repeat A B N]".into())
+            Err("usage: cargo xtask bench [growth|arrangements|editing|location|sphere|widths|repeat A B N]"
+                .into())
         }
     }
 }

@@ -20,7 +20,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     pub(crate) fn start_site(&self, h: HalfedgeId) -> Site<'_, G> {
         let (curve, end) = (self.curve_of(h.edge_id()), Self::end_of(h));
         let end_location = || self.topology.end_location(&self.traits, curve, end);
-        let Some(point) = self.point(self.dcel.source(h)) else {
+        let Some(point) = self.inner_point(self.dcel.source(h)) else {
             return Site { location: end_location(), at: SiteAt::End(curve, end) };
         };
         let low = self.topology.point_location(&self.traits, point);

@@ -37,12 +37,12 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
     /// # Complexity
     /// Linear.
     pub fn counts_with_splits(&self) -> Counts {
-        let isolated = self.dcel.vertices().filter(|&v| self.dcel.outgoing(v).is_none());
+        let isolated = self.vertices().filter(|&v| self.dcel.outgoing(v).is_none());
         Counts {
             vertices: self.vertices().count(),
             edges: self.dcel.edge_count(),
             faces: self.dcel.face_count(),
-            isolated: isolated.filter(|&v| !self.is_at_infinity(v)).count(),
+            isolated: isolated.count(),
             components: self.component_count(),
         }
     }

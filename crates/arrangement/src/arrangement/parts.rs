@@ -1,5 +1,6 @@
 //! An arrangement taken apart, and put together again by somebody who knows its cells.
 
+use super::build::contractions;
 use super::{Arrangement, Violation};
 use crate::edit::Stamp;
 use crate::topology::Topology;
@@ -12,14 +13,16 @@ const ENOUGH: usize = 64;
 /// What an arrangement consists of, beside traits and topology.
 ///
 /// What [`Arrangement::from_parts`] asks of them is what [`Arrangement::into_parts`] gives: vertices that stand for sides come first
-/// (one in the unbounded plane, none in the bounded plane and on a torus). The min vertex of edge e is the source of halfedge 2 e.
+/// (one in the unbounded plane, none in the bounded plane and on a torus, two on a sphere). The min vertex of edge e is the source of
+/// halfedge 2 e.
 #[derive(Clone, Debug)]
 pub struct Parts<G: BasicTraits> {
     /// The cells.
     pub dcel: Dcel,
     /// For each vertex its point; `None` if it stands for a side.
     pub points: Vec<Option<G::Point>>,
-    /// For each vertex, whether it is there only because a curve was cut.
+    /// For each vertex, whether it is there only because a curve was cut; for one that stands for a contracted side, also if nothing is
+    /// there.
     pub is_artificial: Vec<bool>,
     /// The curves on which edges lie.
     pub curves: Vec<G::UMonotoneCurve>,
@@ -33,7 +36,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// Puts an arrangement together, whatever the parts are.
     ///
     /// Points and curves must be of this surface, which is looked at, too: on a torus, coordinates of points are at least zero and below
-    /// the periods, and curves are those of a torus with the same periods.
+    /// the periods, and curves are those of a torus with the same periods; on a sphere, curves are cut at the same identification.
     ///
     /// # Errors
     /// What [`Arrangement::check_valid`] finds; of edges that meet and cells in wrong faces only the first few.
@@ -66,8 +69,20 @@ impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
     /// Puts an arrangement together from parts that are known to fit.
     pub(crate) fn of_valid_parts(traits: G, topology: T, parts: Parts<G>) -> Self {
         let Parts { dcel, points, is_artificial, curves, supports, corner_face } = parts;
+        let contractions = contractions(&traits, &topology);
         let stamp = Stamp::fresh();
-        Self { traits, topology, dcel, points, is_artificial, curves, supports, corner_face, stamp }
+        Self {
+            traits,
+            topology,
+            dcel,
+            points,
+            is_artificial,
+            curves,
+            supports,
+            corner_face,
+            contractions,
+            stamp,
+        }
     }
 
     /// Replaces all cells by others.

@@ -181,6 +181,11 @@ impl<G: BasicTraits, T: Topology<G>> SweepVisitor<G> for Decomposer<'_, '_, G, T
             return ControlFlow::Continue(());
         };
         let location = event.site.location;
+        let is_bare = around.left.is_empty() && around.right.is_empty();
+        if is_bare && self.arrangement.contraction_at(location).is_some() {
+            // A point that was given where a side is contracted is nowhere in the parameter space.
+            return ControlFlow::Continue(());
+        }
         let site = self.swept.sites.len() as u32;
         let input_site = self.input.site(event.input_sites[0] as usize);
         let edge = |tag: Option<Option<EdgeId>>| tag.flatten().map_or(NONE, |e| e.0);

@@ -79,7 +79,8 @@ impl VerticalDecomposition {
     ///   top. It has this only if an edge ends there: else nothing is said to be below, as walls do not go on beyond a side. So a ray
     ///   downwards, which does, may meet something where this is `Nothing` or a `Side`.
     /// - A vertex on identified left and right sides has no walls.
-    /// - One that stands for a side has a site for each end of an edge there, each with its own walls: what is given is of one of them.
+    /// - One that stands for a side has a site for each end of an edge there, each with its own walls: what is given is of one of them. So
+    ///   a point that was given on a contracted side has none.
     ///
     /// # Complexity
     /// Linear in the number of sites of the vertex.

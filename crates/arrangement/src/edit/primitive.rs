@@ -171,7 +171,9 @@ pub enum Edit<P, C> {
         /// Its point then.
         point: P,
     },
-    /// A vertex becomes an artificial or an ordinary one.
+    /// A vertex becomes an artificial or an ordinary one. So a pole comes and goes to which no edge comes: it is
+    /// [absent](crate::Arrangement::is_absent) if it is artificial. Its vertex is always there, so no other edit tells of it; with the first edge at
+    /// it, it comes, too.
     SetArtificial {
         /// The vertex.
         v: VertexId,

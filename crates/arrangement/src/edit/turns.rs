@@ -47,7 +47,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     pub(crate) fn turns_of(&self, h: HalfedgeId) -> Option<i64> {
         let mut half_turns = 0;
         for h in self.dcel.cycle(h) {
-            self.point(self.dcel.source(h))?;
+            self.inner_point(self.dcel.source(h))?;
             half_turns += self.half_turn_after(h);
         }
         debug_assert!(matches!(half_turns, -2 | 0 | 2), "a CCB turns once or not at all");
@@ -113,7 +113,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         let old_kind = self.dcel.ccb_kind(ccbs[0]);
         debug_assert_eq!(old_kind, self.dcel.ccb_kind(ccbs[1]), "both are made of one");
         if ccbs[0] == ccbs[1] {
-            let is_through_side = self.dcel.ends(e).into_iter().any(|v| self.is_at_infinity(v));
+            let is_through_side = self.dcel.ends(e).into_iter().any(|v| self.stands_for_side(v));
             let kind = if is_through_side { CcbKind::Outer } else { old_kind };
             self.set_kind(ccbs[0], kind, observer);
             return SettledInsertion { kinds: [kind; 2], splits_face: false, shorter: Side::Even };
@@ -158,7 +158,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         match removed {
             Removed::Vanished { .. } => {}
             Removed::Antenna { ccb } => {
-                let is_left = |&v: &VertexId| self.is_at_infinity(v) && self.dcel.outgoing(v).is_none();
+                let is_left = |&v: &VertexId| self.stands_for_side(v) && self.dcel.outgoing(v).is_none();
                 // Its component was connected with that vertex, and is a hole now.
                 if ends.iter().any(is_left) {
                     let kind = if self.is_one_sided() { CcbKind::Inner } else { self.counted_kind(ccb) };

@@ -178,7 +178,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
             Intersection::Point(..) => None,
         });
         let overlap = overlaps.into_iter().find(|overlap| {
-            let ends = arrangement.dcel().ends(e).map(|v| arrangement.point(v));
+            let ends = arrangement.dcel().ends(e).map(|v| arrangement.inner_point(v));
             covers(traits, arrangement.topology(), overlap, ends)
         });
         // They overlap along the edge, because the curve was found to.

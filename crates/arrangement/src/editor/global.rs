@@ -108,8 +108,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Linear, to drop what was there.
     pub fn clear(&mut self) {
         self.arrangement.apply_global(&mut self.observers, |arrangement| {
-            let topology = &arrangement.topology;
-            let built = Builder::<G::Point>::new(topology, &[]).finish(topology);
+            let (traits, topology) = (&arrangement.traits, &arrangement.topology);
+            let built = Builder::new(traits, topology, &[]).finish(topology);
             arrangement.set_parts(Parts {
                 dcel: built.dcel,
                 points: built.points,

@@ -44,7 +44,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                         note(&mut editor.observers, Came::Curve { curve: id, is_artificial, edges: &edges });
                     }
                     Piece::Point(point) => {
-                        let v = editor.add_point(&point).v;
+                        let v = editor.add_point(&point);
                         note(&mut editor.observers, Came::Point(v));
                     }
                 }

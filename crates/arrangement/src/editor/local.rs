@@ -33,7 +33,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// assert_eq!((editor.dcel().degree(middle), again), (2, middle));
     /// ```
     pub fn insert_point(&mut self, point: &G::Point) -> VertexId {
-        self.operate(Operation::InsertPoint, |editor| editor.add_point(point).v)
+        self.operate(Operation::InsertPoint, |editor| editor.add_point(point))
     }
 
     /// Inserts an isolated vertex in a face.
@@ -214,7 +214,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let (traits, topology) = (arrangement.traits(), arrangement.topology());
         let curve = arrangement.curve(support);
         let location = topology.end_location(traits, curve, end);
-        let Some(point) = arrangement.point(v).cloned() else {
+        let Some(point) = arrangement.inner_point(v).cloned() else {
             let on_side = self.side_vertex(location);
             debug_assert_eq!(on_side, Some(v), "the curve ends on the side of vertex {}", v.0);
             return self.vertex_at_end(support, end, false);
@@ -247,10 +247,14 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     }
 
     /// Adds a point: a vertex of its own, or on an edge.
-    pub(super) fn add_point(&mut self, point: &G::Point) -> At {
+    pub(super) fn add_point(&mut self, point: &G::Point) -> VertexId {
         let arrangement = &self.arrangement;
         let place = Site::of_point(arrangement.topology(), arrangement.traits(), point);
         let location = place.location;
+        if let Some(v) = arrangement.contraction_at(location) {
+            self.make_ordinary(v);
+            return v;
+        }
         match self.trapezoids.find(arrangement, &place) {
             Found::Within(t) => {
                 let below = self.trapezoids.trapezoid(t).below;
@@ -259,17 +263,18 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                     side(arrangement, &place, &arrangement.curves()[curve as usize]).is_eq()
                 };
                 if is_on {
-                    return self.split_rail(below, point, location, false);
+                    return self.split_rail(below, point, location, false).v;
                 }
                 let face = self.trapezoids.face_of(arrangement, t);
                 let edit = Edit::AddIsolatedVertex { point: point.clone(), is_artificial: false, face };
                 let v = self.arrangement.apply(edit, &mut self.observers).vertex();
-                At { v, site: self.trapezoids.add_site(&self.arrangement, NewSite::Vertex(v), location, t) }
+                self.trapezoids.add_site(&self.arrangement, NewSite::Vertex(v), location, t);
+                v
             }
             Found::Site(site) => {
                 let v = self.trapezoids.vertex(site);
                 self.make_ordinary(v);
-                At { v, site }
+                v
             }
         }
     }

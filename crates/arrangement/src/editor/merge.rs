@@ -129,7 +129,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let (arrangement, dcel) = (&self.arrangement, self.arrangement.dcel());
         assert!(dcel.has_vertex(v), "vertex {} does not exist: only at a vertex edges are merged", v.0);
         let needed = |reason| Err(VertexNeeded { vertex: v, reason });
-        if arrangement.is_at_infinity(v) {
+        if arrangement.stands_for_side(v) {
             return needed(VertexNeed::Side);
         }
         let mut around = dcel.around(v);

@@ -54,7 +54,8 @@ use std::ops::Deref;
 ///
 /// # Preconditions
 /// Points and curves that are given to it are of the traits of the arrangement. On a torus, points have the coordinates that
-/// [`TorusSegmentTraits::point`](crate::models::TorusSegmentTraits::point) gives, and curves are made by traits with the same periods.
+/// [`TorusSegmentTraits::point`](crate::models::TorusSegmentTraits::point) gives, and curves are made by traits with the same periods; on a
+/// sphere, curves are cut by traits with the same identification.
 /// With others, answers are wrong, the arrangement is not valid then, and a method may panic.
 ///
 /// # Complexity

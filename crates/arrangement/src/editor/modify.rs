@@ -102,7 +102,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
             "the point is that of vertex {}",
             v.0
         );
-        if old.is_some() {
+        // The point of a contracted side is the topology's.
+        if !arrangement.stands_for_side(v) {
             self.operate(Operation::Modify, |editor| {
                 editor.arrangement.apply(Edit::SetPoint { v, point }, &mut editor.observers);
             });
@@ -148,7 +149,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     fn is_covered(&self, e: EdgeId, curve: &G::UMonotoneCurve) -> bool {
         let arrangement = &self.arrangement;
         let (traits, topology) = (arrangement.traits(), arrangement.topology());
-        let ends = arrangement.dcel().ends(e).map(|v| arrangement.point(v));
+        let ends = arrangement.dcel().ends(e).map(|v| arrangement.inner_point(v));
         let mut common = Vec::new();
         traits.intersect(&arrangement.make_edge_curve(e), curve, &mut common);
         common.iter().any(|part| match part {

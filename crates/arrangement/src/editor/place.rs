@@ -35,6 +35,9 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
                     self.trapezoids.add_site(&self.arrangement, NewSite::End(v, curve.0, end), location, t)
                 }
             };
+            if !is_artificial {
+                self.make_ordinary(v);
+            }
             return At { v, site };
         }
         let point = arrangement.traits().end_point(the_curve, end).cloned();

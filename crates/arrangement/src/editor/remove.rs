@@ -12,7 +12,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// If there were two faces beside the edge, they become one, which has the id of the face that had more CCBs and isolated vertices. If
     /// the other one was the [corner face], it is the corner face then. The kinds of CCBs in the answer are settled when it is given.
     ///
-    /// Degenerate: a vertex that stands for a side stays. A vertex of which two edges are left that are one curve stays, too: see
+    /// Degenerate: a vertex at infinity stays; a pole goes as others do, and its vertex becomes [absent](crate::Arrangement::is_absent). A vertex of which two edges are left that are one curve stays, too: see
     /// [`Editor::merge_edges`]. An artificial vertex that is left with one edge or none becomes an ordinary
     /// one.
     ///
@@ -21,7 +21,8 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     ///
     /// # Complexity
     /// Linear in the number of trapezoids on both sides of the edge, in the length of the shorter of the CCBs that join or arise, and in
-    /// the number of CCBs and isolated vertices of the face that goes.
+    /// the number of CCBs and isolated vertices of the face that goes. Where one pair of sides is identified, as on a sphere, linear in the
+    /// length of all CCBs that join or arise.
     ///
     /// # References
     /// Thesis, section 2.3.2.
@@ -50,7 +51,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// Removes an edge; `fates` says what becomes of its min and of its max vertex if they have no other edge. Of a closed edge, which
     /// has one vertex, the first counts.
     ///
-    /// Degenerate: a vertex that stands for a side stays in any case.
+    /// Degenerate: a vertex at infinity stays in any case. A pole that is to be isolated is like a point that was given there.
     ///
     /// # Panics
     /// If there is no such edge.
@@ -71,7 +72,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     ///
     /// What becomes of the vertices at which a removed edge ended; all other ones stay as they are:
     ///
-    /// - One that is left without edges goes, but one that stands for a side stays.
+    /// - One that is left without edges goes, but one at infinity stays.
     /// - One that is left with two edges of one support, of which one ends and the other begins there, goes, and the edges become one: the
     ///   curve passes there, and was only divided. That is what
     ///   [`ArrangementWithHistory`](crate::history::ArrangementWithHistory) does if nobody needs the vertex. But nobody is asked here: also a
@@ -140,7 +141,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// the answer names them.
     ///
     /// # Errors
-    /// If the vertex stands for a side, or its edges need it. Then nothing is changed.
+    /// If the vertex is at infinity, or its edges need it. Then nothing is changed.
     ///
     /// # Panics
     /// If there is no such vertex.
@@ -201,7 +202,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     fn check_point(&self, v: VertexId) -> Result<(), VertexNeeded> {
         let is_vertex = self.arrangement.dcel().has_vertex(v);
         assert!(is_vertex, "vertex {} does not exist: only a vertex is removed", v.0);
-        if self.arrangement.is_at_infinity(v) {
+        if self.arrangement.is_at_infinity(v) || self.arrangement.is_absent(v) {
             return Err(VertexNeeded { vertex: v, reason: VertexNeed::Side });
         }
         Ok(())
@@ -209,15 +210,21 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
 
     /// Removes an edge within an operation: see [`Editor::remove_edge_with`].
     pub(crate) fn take_out_edge(&mut self, e: EdgeId, fates: [EndFate; 2]) -> Removed {
-        let ends = self.arrangement.dcel().ends(e);
+        let (ends, wanted) = (self.arrangement.dcel().ends(e), fates);
         let fate =
-            |i: usize| if self.arrangement.is_at_infinity(ends[i]) { EndFate::Isolate } else { fates[i] };
+            |i: usize| if self.arrangement.stands_for_side(ends[i]) { EndFate::Isolate } else { fates[i] };
         let fates = [fate(0), fate(if ends[0] == ends[1] { 0 } else { 1 })];
         self.trapezoids.remove_edge(&self.arrangement, e, fates);
         let removed = self.arrangement.remove_and_settle(e, fates, &mut self.observers);
         for v in ends {
             let dcel = self.arrangement.dcel();
-            if dcel.has_vertex(v) && dcel.around(v).nth(1).is_none() {
+            if !dcel.has_vertex(v) || dcel.around(v).nth(1).is_some() {
+                continue;
+            }
+            let is_last = dcel.outgoing(v).is_none() && self.arrangement.is_contraction(v);
+            if is_last && wanted[usize::from(v != ends[0])] == EndFate::Remove {
+                self.take_out_isolated(v);
+            } else {
                 // Nothing is cut there any more.
                 self.make_ordinary(v);
             }
@@ -227,6 +234,13 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
 
     /// Removes a vertex without edges within an operation.
     pub(crate) fn take_out_isolated(&mut self, v: VertexId) {
+        if self.arrangement.is_contraction(v) {
+            // The vertex stays, and nothing is there.
+            if !self.arrangement.is_artificial[v.index()] {
+                self.arrangement.apply(Edit::SetArtificial { v, is_artificial: true }, &mut self.observers);
+            }
+            return;
+        }
         self.trapezoids.remove_sites_of(&self.arrangement, v);
         self.arrangement.apply(Edit::RemoveIsolatedVertex { v }, &mut self.observers);
     }

@@ -27,7 +27,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
         let sites = self.trapezoids.rail(new.rail).ends;
         let mut is_reversed = false;
         let prevs = [0, 1].map(|i| {
-            if self.arrangement.is_at_infinity(vertices[i]) {
+            if self.arrangement.stands_for_side(vertices[i]) {
                 let corner = self.trapezoids.corner_at_end(&self.arrangement, new.rail, sites[i])?;
                 is_reversed |= i == 0 && !corner.is_other_between;
                 return Some(corner.next.twin());
@@ -39,7 +39,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
             }
         });
         let is_one_corner = vertices[0] == vertices[1] && prevs[0].is_some() && prevs[0] == prevs[1];
-        if is_one_corner && !self.arrangement.is_at_infinity(vertices[0]) {
+        if is_one_corner && !self.arrangement.stands_for_side(vertices[0]) {
             is_reversed = self.is_reversed_loop(new.rail, vertices[0]);
         }
         Corners { prevs, is_reversed: is_one_corner && is_reversed }

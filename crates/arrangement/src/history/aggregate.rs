@@ -207,7 +207,7 @@ fn sweep_all<G: UMonotoneTraits, T: Topology<G>>(
     input.mirror(topology);
     // Images on other sides decide nothing.
     flags.resize(input.site_count(), true);
-    let mut builder = Builder::new(topology, &flags);
+    let mut builder = Builder::new(traits, topology, &flags);
     builder.keep_overlaps();
     let mut visitor = Placing { builder, vertices: vec![VertexId::NONE; sites] };
     let _ = sweep(traits, topology, &input, &mut visitor);

@@ -254,7 +254,7 @@ impl History {
         let (dcel, first) = (arrangement.dcel(), self.first(piece));
         std::iter::successors(first, move |&e| {
             let start = e.halfedge();
-            if arrangement.is_at_infinity(dcel.target(start)) {
+            if arrangement.stands_for_side(dcel.target(start)) {
                 return None;
             }
             let mut h = dcel.next(start);
@@ -284,7 +284,7 @@ impl History {
     ) -> bool {
         let (traits, curve) = (arrangement.traits(), self.curve(piece));
         let end = curve.and_then(|curve| traits.end_point(arrangement.curve(curve), CurveEnd::Max));
-        end.zip(arrangement.point(v)).is_some_and(|(end, point)| traits.is_same_point(end, point))
+        end.zip(arrangement.inner_point(v)).is_some_and(|(end, point)| traits.is_same_point(end, point))
     }
 
     /// Tells why there is a vertex from which these two halfedges leave.

@@ -169,7 +169,7 @@ impl<G: UMonotoneTraits, T: Topology<G>, O: Observer<G, T>> Removal<'_, G, T, O>
         }
         let arrangement = self.editor.arrangement();
         let (traits, topology) = (arrangement.traits(), arrangement.topology());
-        let points = ends.map(|v| arrangement.point(v));
+        let points = ends.map(|v| arrangement.inner_point(v));
         if let Some((pieces, curve)) = &self.overlap
             && pieces == self.pieces(e)
             && covers(traits, topology, arrangement.curve(*curve), points)

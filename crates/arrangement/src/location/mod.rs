@@ -79,7 +79,8 @@ pub trait PointLocation<G: BasicTraits, T> {
     /// The point from which the ray starts does not count, nor does a vertex or an edge that it leaves at once. But a vertical edge along
     /// which the ray begins is met: at once.
     ///
-    /// The ray ends at sides of the parameter space: where it comes to a contracted one at whose vertex curves end, the answer is that vertex.
+    /// The ray ends at sides of the parameter space: where it comes to a contracted one at whose vertex curves end, or where a point was
+    /// given, the answer is that vertex. From the point to which a side is contracted no ray goes: the answer is the cell of the point.
     /// Where bottom and top are identified it goes on, on the other side: what lies on these sides comes first, and then what is next to
     /// the opposite one. If it comes back to where it started, that is what it meets: the vertex or edge there; or nothing, and the face is
     /// the answer. Where left and right are identified, a ray from there runs along the seam, and meets the vertices and edges on it.

@@ -54,6 +54,9 @@ impl Naive {
         arrangement: &Arrangement<G, T>,
         column: &Column<'_, G, T>,
     ) -> Cell {
+        if let Some(cell) = column.at_contraction() {
+            return cell;
+        }
         let dcel = arrangement.dcel();
         let vertex = dcel.vertices().find(|&v| column.is_at(v)).map(Cell::Vertex);
         let at = vertex.or_else(|| dcel.edges().find(|&e| column.is_on(e)).map(Cell::Edge));

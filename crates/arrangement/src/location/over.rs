@@ -58,6 +58,11 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Column<'a, G, T> {
         Self { arrangement, place }
     }
 
+    /// The cell, if the point is one to which a side is contracted.
+    pub(super) fn at_contraction(&self) -> Option<Cell> {
+        self.arrangement.cell_at_contraction(self.place.location)
+    }
+
     fn compare_sites(&self, a: &Site<'_, G>, b: &Site<'_, G>) -> Ordering {
         self.arrangement.topology().compare_sites(self.arrangement.traits(), a, b)
     }
@@ -65,7 +70,7 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Column<'a, G, T> {
     /// The least site of a vertex; `None` if it stands for a side.
     fn home(&self, v: VertexId) -> Option<Site<'a, G>> {
         let (traits, topology) = (self.arrangement.traits(), self.arrangement.topology());
-        self.arrangement.point(v).map(|point| Site::of_point(topology, traits, point))
+        self.arrangement.inner_point(v).map(|point| Site::of_point(topology, traits, point))
     }
 
     fn ends(&self, e: EdgeId) -> [Site<'a, G>; 2] {
@@ -276,6 +281,9 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Column<'a, G, T> {
         ray: VerticalRay,
     ) -> Cell {
         let arrangement = self.arrangement;
+        if self.at_contraction().is_some() {
+            return cell;
+        }
         match cell {
             Cell::Edge(e) if arrangement.traits().is_vertical(arrangement.curve_of(e)) => return cell,
             Cell::Vertex(v) => {
@@ -301,6 +309,6 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Column<'a, G, T> {
         let side = usize::from(ray == VerticalRay::Up);
         let is_contracted = topology.sides().v[side] == SideKind::Contracted;
         let vertex = topology.side_vertices()[2 + side].map(VertexId).filter(|_| is_contracted)?;
-        (self.arrangement.dcel().degree(vertex) > 0).then_some(Cell::Vertex(vertex))
+        self.arrangement.is_at_contraction(vertex).then_some(Cell::Vertex(vertex))
     }
 }

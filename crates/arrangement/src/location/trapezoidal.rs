@@ -112,6 +112,9 @@ fn shoot<G: UMonotoneTraits, T: Topology<G>>(
         VerticalRay::Down => Side::Below,
     };
     let cell = trapezoids.locate(arrangement, point);
+    if column.at_contraction().is_some() {
+        return cell;
+    }
     let t = match cell {
         Cell::Edge(e) if arrangement.traits().is_vertical(arrangement.curve_of(e)) => return cell,
         Cell::Vertex(v) => {

@@ -123,6 +123,9 @@ fn walk<G: UMonotoneTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     column: &Column<'_, G, T>,
 ) -> Cell {
+    if let Some(cell) = column.at_contraction() {
+        return cell;
+    }
     let mut bar = match start(arrangement, column) {
         None => return Cell::Face(column.bottom_face()),
         Some(Start::There(cell)) => return cell,

@@ -11,8 +11,10 @@
 //! | [`MinimalSegmentTraits`] | [`MinimalSegment`]: both ends only | bounded; closed left, right, bottom, top | yes |
 //! | [`LinearTraits`] | [`Linear`]: segments, rays and lines | open left, right, bottom, top | yes |
 //! | [`TorusSegmentTraits`] | [`TorusPath`], cut into [`TorusSegment`]s | identified left to right, bottom to top | yes |
+//! | [`GeodesicTraits`] | [`Geodesic`]s, cut into [`GeodesicArc`]s | identified left to right, contracted bottom and top | no |
 //! | [`PolycurveTraits`](polycurve::PolycurveTraits) | chains of the curves of another model, polylines among them | those of the other model | no |
 
+pub mod geodesic;
 pub mod linear;
 pub mod minimal;
 pub mod polycurve;
@@ -20,6 +22,7 @@ pub mod segments;
 mod straight;
 pub mod torus;
 
+pub use geodesic::{Geodesic, GeodesicArc, GeodesicError, GeodesicTraits};
 pub use linear::{Linear, LinearTraits};
 pub use minimal::{MinimalSegment, MinimalSegmentTraits};
 pub use segments::{Segment, SegmentTraits};

@@ -72,7 +72,8 @@ impl Provenance {
 /// Degenerate: edges that overlap become one edge, which comes from all of them; vertices that coincide become one.
 ///
 /// # Preconditions
-/// The traits of the operands are alike: a curve or a point of one means the same to all. Those of tori have the same periods.
+/// The traits of the operands are alike: a curve or a point of one means the same to all. Those of tori have the same periods, those of spheres the
+/// same identification.
 /// Otherwise the result is not valid.
 ///
 /// # Panics
@@ -169,7 +170,7 @@ pub(crate) fn overlay_with_pieces<G: UMonotoneTraits, T: Topology<G>>(
         // Images on other sides decide nothing.
         flags.resize(input.site_count(), true);
         let origins = Origins::of(numbers);
-        let builder = Builder::new(topology, &flags);
+        let builder = Builder::new(traits, topology, &flags);
         let visitor = OverlayVisitor::new(builder, operands, &origins, &input);
         let mut watched = Watched::new(visitor, input.site_count(), watch);
         if sweep(traits, topology, &input, &mut watched).is_break() {

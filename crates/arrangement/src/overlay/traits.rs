@@ -67,7 +67,7 @@ pub(super) fn call<G: BasicTraits, T: Topology<G>>(
     traits: &mut impl OverlayTraits,
 ) {
     let dcel = arrangement.dcel();
-    for v in dcel.vertices() {
+    for v in dcel.vertices().filter(|&v| !arrangement.is_absent(v)) {
         match *provenance.of_vertex(v) {
             [Cell::Vertex(red), Cell::Vertex(blue)] => traits.vertices_coincide(v, red, blue),
             [Cell::Vertex(red), Cell::Edge(blue)] => traits.red_vertex_on_edge(v, red, blue),

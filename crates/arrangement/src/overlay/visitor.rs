@@ -126,6 +126,13 @@ impl<'s, 'a, G: BasicTraits, T: Topology<G>> OverlayVisitor<'s, 'a, G, T> {
         let k = self.operands.len();
         let Self { builder, operands, mut provenance, .. } = self;
         let built = builder.finish(topology);
+        for v in 0..operands.first().map_or(0, |operand| operand.contractions.len()) {
+            for (operand, arrangement) in operands.iter().enumerate() {
+                if let Some(face) = arrangement.face_of_absent(VertexId::new(v)) {
+                    provenance.vertices[v * k + operand] = Cell::Face(face);
+                }
+            }
+        }
         let dcel = &built.dcel;
         let face_of = |cell: Cell, operand: usize, h: HalfedgeId| match cell {
             Cell::Edge(e) if h.is_even() => operands[operand].dcel().face(e.halfedge()),

@@ -111,7 +111,9 @@ impl<G: BasicTraits, T: Topology<G>> SweepVisitor<G> for Locator<'_, '_, G, T> {
                 let mut originals =
                     event.input_sites.iter().map(|&site| self.input.original_site(site as usize));
                 let vertex = originals.find_map(|site| self.numbers.vertices.get(site));
-                vertex.map_or_else(|| self.cell(around), |&v| Cell::Vertex(v))
+                let at_contraction = self.arrangement.cell_at_contraction(event.site.location);
+                let at_vertex = at_contraction.or(vertex.map(|&v| Cell::Vertex(v)));
+                at_vertex.unwrap_or_else(|| self.cell(around))
             });
             self.cells[site - self.first_query] = found;
         }

@@ -167,6 +167,7 @@ fn watch<G: ArrangementTraits, T: Topology<G>>(
         sites: &owned.sites,
         sets: OwnerSets::new(&owned.owners, owned.owner_count),
         is_identified,
+        contractions: [0, 1, 2, 3].map(|side| topology.contraction(traits, side)),
         place: Place::default(),
         on_seams: Vec::new(),
         tell,
@@ -193,6 +194,8 @@ struct Watcher<'o, P, F> {
     sites: &'o [(u32, bool)],
     sets: OwnerSets<'o>,
     is_identified: [bool; 2],
+    /// The points to which left, right, bottom and top are contracted.
+    contractions: [Option<P>; 4],
     /// Kept to be used again.
     place: Place,
     on_seams: Vec<(P, Place)>,
@@ -200,6 +203,18 @@ struct Watcher<'o, P, F> {
 }
 
 impl<P, F> Watcher<'_, P, F> {
+    /// The point of a contracted side.
+    fn contraction(&self, Location { u, v }: Location) -> Option<&P> {
+        let side = match (u, v) {
+            (_, Along::Low) => 2,
+            (_, Along::High) => 3,
+            (Along::Low, _) => 0,
+            (Along::High, _) => 1,
+            _ => return None,
+        };
+        self.contractions[side].as_ref()
+    }
+
     fn is_on_seam(&self, location: Location) -> bool {
         self.is_identified[0] && location.u != Along::Inside
             || self.is_identified[1] && location.v != Along::Inside
@@ -238,7 +253,13 @@ where
                 ControlFlow::Continue(())
             }
             SiteAt::Point(point) => (self.tell)(Some(point), &self.place),
-            SiteAt::End(..) => (self.tell)(None, &self.place),
+            SiteAt::End(..) => match self.contraction(event.site.location).cloned() {
+                Some(point) => {
+                    self.on_seams.push((point, self.place.clone()));
+                    ControlFlow::Continue(())
+                }
+                None => (self.tell)(None, &self.place),
+            },
         }
     }
 }

@@ -133,8 +133,8 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Pusher<'_, 'a, G, T> {
         let mut starts = Vec::new();
         for v in dcel.vertices() {
             starts.clear();
-            match arrangement.point(v) {
-                None => self.push_ends_at_infinity(v),
+            match arrangement.inner_point(v) {
+                None => self.push_side_vertex(v),
                 Some(point) => {
                     let site = Site::of_point(arrangement.topology(), arrangement.traits(), point);
                     if site.location.is_interior() {
@@ -228,9 +228,16 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Pusher<'_, 'a, G, T> {
         if ends_here { arrangement.topology().end_location(arrangement.traits(), curve, end) } else { low }
     }
 
-    /// Every edge that comes from infinity has a site of its own.
-    fn push_ends_at_infinity(&mut self, v: VertexId) {
+    /// Every edge that comes from a side has a site of its own. So has a point that was given where a side is contracted.
+    fn push_side_vertex(&mut self, v: VertexId) {
         let arrangement = self.arrangement;
+        if arrangement.dcel().outgoing(v).is_none()
+            && !arrangement.is_absent(v)
+            && let Some(point) = arrangement.point(v)
+        {
+            let site = Site::of_point(arrangement.topology(), arrangement.traits(), point);
+            self.push_site(v, site, &[]);
+        }
         for h in arrangement.dcel().around(v) {
             let end = if h.is_even() { CurveEnd::Min } else { CurveEnd::Max };
             let curve = arrangement.curve_of(h.edge_id());

@@ -148,7 +148,8 @@ impl<'a, G: BasicTraits> SweepInput<'a, G> {
         };
         let mut mirrored = Vec::new();
         for (original, site) in (0..).zip(&self.sites) {
-            if site.location.is_interior() || !matches!(site.at, SiteAt::Point(_)) {
+            let is_on_identification = !site.location.is_interior() && !sides.is_contracted(site.location);
+            if !is_on_identification || !matches!(site.at, SiteAt::Point(_)) {
                 continue;
             }
             for u in images(site.location.u, sides.is_u_identified()).into_iter().flatten() {

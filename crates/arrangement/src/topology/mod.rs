@@ -4,17 +4,20 @@
 //! |---|---|---|---|
 //! | [`BoundedPlane`] | closed | all that have two end points | 0 |
 //! | [`UnboundedPlane`] | open | those that are open left, right, below and above | 0 |
+//! | [`Sphere`] | left and right identified, bottom and top contracted | those that are identified left to right and contracted below and above | 0 |
 //! | [`FlatTorus`] | both pairs identified | those that are identified left to right and bottom to top | 1 |
 
 mod bounded_plane;
 mod flat_torus;
 mod site;
+mod sphere;
 mod unbounded_plane;
 
 pub use bounded_plane::BoundedPlane;
 pub use flat_torus::FlatTorus;
 pub(crate) use site::ends_on_side;
 pub use site::{Site, SiteAt};
+pub use sphere::Sphere;
 pub use unbounded_plane::UnboundedPlane;
 
 use crate::traits::{BasicTraits, CurveEnd, Location, SideKind, Sides};
@@ -61,7 +64,7 @@ pub trait Topology<G: BasicTraits>: Clone + Debug + Send + Sync {
     /// Tells which vertex without a point stands for each side, left, right, bottom and top; `None` for a side whose points are
     /// ordinary or identified. Such vertices are numbered from 0 in this order.
     ///
-    /// A contracted side is a vertex; it has no point, even if the traits give one for ends there. Open sides that meet in corners are
+    /// A contracted side is a vertex; no predicate is asked of its point, even if the traits give one for ends there. Open sides that meet in corners are
     /// closed by one vertex together; where left and right are identified, or bottom and top, each open side is closed by its own.
     fn side_vertices(&self) -> [Option<u32>; 4] {
         let sides = self.sides();
@@ -76,6 +79,18 @@ pub trait Topology<G: BasicTraits>: Clone + Debug + Send + Sync {
             SideKind::Open if is_one_infinity => Some(*infinity.get_or_insert_with(&mut fresh)),
             SideKind::Open | SideKind::Contracted => Some(fresh()),
         })
+    }
+
+    /// Gives the point to which a side is contracted, of left, right, bottom and top by their numbers; `None` if it is not. Only bottom and top
+    /// may have one.
+    ///
+    /// With it, the vertex of the side is a vertex like others: it is counted if a curve comes to it or a point is given there, and can
+    /// be located. Such a point lies in the left corner of its side, by [`Topology::point_location`], where [`Topology::compare_sites`]
+    /// has it below all ends of curves in the lower corner, and above all in the upper one. The provided version knows no such points:
+    /// then the vertex is only the place where curves end, as one at infinity is.
+    fn contraction(&self, traits: &G, side: usize) -> Option<G::Point> {
+        let _ = (traits, side);
+        None
     }
 
     /// Tells the kind of a CCB, given how often it turns around: 1 to the left, -1 to the right, 0 not at all.

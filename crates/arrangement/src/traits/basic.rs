@@ -103,7 +103,7 @@ pub trait BasicTraits: Send + Sync {
     }
 
     /// Tells whether a curve is one of these traits, if traits of one type with other parameters make curves of the same type: those of
-    /// another torus, with other periods. The provided version says yes.
+    /// another torus, with other periods, or of a sphere with another identification. The provided version says yes.
     ///
     /// Law: what [`UMonotoneTraits`](super::UMonotoneTraits) makes of such curves is.
     #[inline]

@@ -80,10 +80,30 @@ pub trait OpenLeftRightTraits: NearLeftRightTraits {}
 pub trait OpenBottomTopTraits: NearBottomTopTraits {}
 
 /// Curves that may end in a point to which the left or right side is contracted.
-pub trait ContractedLeftRightTraits: NearLeftRightTraits {}
+pub trait ContractedLeftRightTraits: NearLeftRightTraits {
+    /// Gives the point to which a side is contracted: the left one for `Min`, the right one for `Max`.
+    ///
+    /// Law: ends of curves on that side have this point, if they have one.
+    fn contraction_left_right(&self, side: CurveEnd) -> Self::Point;
 
-/// Curves that may end in a point to which the bottom or top side is contracted.
-pub trait ContractedBottomTopTraits: NearBottomTopTraits {}
+    /// Tells to which side, of these two, a point is the contraction. A model whose points tell it at once should.
+    fn contracted_left_right(&self, p: &Self::Point) -> Option<CurveEnd> {
+        CurveEnd::BOTH.into_iter().find(|&side| self.is_same_point(p, &self.contraction_left_right(side)))
+    }
+}
+
+/// Curves that may end in a point to which the bottom or top side is contracted, as a pole of a sphere is.
+pub trait ContractedBottomTopTraits: NearBottomTopTraits {
+    /// Gives the point to which a side is contracted: the bottom for `Min`, the top for `Max`.
+    ///
+    /// Law: ends of curves on that side have this point, if they have one.
+    fn contraction_bottom_top(&self, side: CurveEnd) -> Self::Point;
+
+    /// Tells to which side, of these two, a point is the contraction. A model whose points tell it at once should.
+    fn contracted_bottom_top(&self, p: &Self::Point) -> Option<CurveEnd> {
+        CurveEnd::BOTH.into_iter().find(|&side| self.is_same_point(p, &self.contraction_bottom_top(side)))
+    }
+}
 
 /// Curves on a surface whose left side is glued to the right one.
 ///

@@ -60,8 +60,8 @@ impl<P> Copy for Window<'_, P> {}
 pub trait UMonotoneTraits: BasicTraits {
     /// Appends all that two curves have in common, in lexicographic order.
     ///
-    /// Common end points count, and points where one curve ends on the other. An overlap is appended once, as a curve; its ends
-    /// are not appended.
+    /// Common end points count, and points where one curve ends on the other; but a point to which a side is contracted may be left out. An
+    /// overlap is appended once, as a curve; its ends are not appended.
     ///
     /// # References
     /// Thesis, section 2.5, "Intersection".

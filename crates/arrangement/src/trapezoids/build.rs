@@ -103,7 +103,7 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
 
     /// Adds the first site of a vertex, where its point is: on an identified side, the low one.
     pub(super) fn add_home<T: Topology<G>>(&mut self, arrangement: &Arrangement<G, T>, v: VertexId) {
-        if let Some(point) = arrangement.point(v) {
+        if let Some(point) = arrangement.inner_point(v) {
             let place = Site::of_point(arrangement.topology(), arrangement.traits(), point);
             self.add_vertex_site(arrangement, v, &place);
         }

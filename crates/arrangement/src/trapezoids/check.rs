@@ -114,7 +114,9 @@ impl<G: BasicTraits> Trapezoids<G> {
             }
         }
         for v in arrangement.vertices() {
-            if self.sites_of(v).next().is_none() {
+            // A pole where only a point was given has none.
+            let is_bare = arrangement.stands_for_side(v) && arrangement.dcel().outgoing(v).is_none();
+            if !is_bare && self.sites_of(v).next().is_none() {
                 faults.push(format!("no site of {v:?}"));
             }
         }

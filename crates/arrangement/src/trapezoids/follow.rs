@@ -68,7 +68,7 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
     /// place of a vertex that is not its first one.
     fn remove_site_if_empty<T: Topology<G>>(&mut self, arrangement: &Arrangement<G, T>, site: SiteId) {
         let is_empty = [self.left_of(site), self.right_of(site)].iter().all(|[below, above]| below == above);
-        let point = arrangement.point(self.vertex(site));
+        let point = arrangement.inner_point(self.vertex(site));
         let is_home = point.is_some_and(|point| {
             arrangement.topology().point_location(arrangement.traits(), point) == self.location(site)
         });
@@ -112,7 +112,7 @@ impl<G: UMonotoneTraits> Trapezoids<G> {
         v: VertexId,
         parts: [EdgeId; 2],
     ) {
-        let point = arrangement.point(v).expect("an edge is split at a point");
+        let point = arrangement.inner_point(v).expect("an edge is split at a point");
         let location = arrangement.topology().point_location(arrangement.traits(), point);
         let (_, rails) = self.add_site_on_rail(arrangement, v, location, self.rail_of(e));
         for (rail, part) in rails.into_iter().zip(parts) {

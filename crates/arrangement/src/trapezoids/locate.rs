@@ -14,6 +14,9 @@ impl<G: BasicTraits> Trapezoids<G> {
     /// vertex there from which no edge goes to the right.
     pub(crate) fn locate<T: Topology<G>>(&self, arrangement: &Arrangement<G, T>, point: &G::Point) -> Cell {
         let place = Site::of_point(arrangement.topology(), arrangement.traits(), point);
+        if let Some(cell) = arrangement.cell_at_contraction(place.location) {
+            return cell;
+        }
         let (found, is_on_curve) = self.search(arrangement, &place, &Toward::Here);
         self.cell(arrangement, &place, found, is_on_curve)
     }
@@ -39,6 +42,9 @@ impl<G: BasicTraits> Trapezoids<G> {
         found: Found,
         is_on_curve: bool,
     ) -> Cell {
+        if let Some(cell) = arrangement.cell_at_contraction(place.location) {
+            return cell;
+        }
         let t = match found {
             Found::Site(site) => return Cell::Vertex(self.vertex(site)),
             Found::Within(t) => t,

@@ -334,7 +334,7 @@ impl<G: BasicTraits> Trapezoids<G> {
         let record = &self.sites[site.index()];
         let at = match record.kind {
             SiteKind::Vertex => SiteAt::Point(
-                arrangement.point(record.vertex).expect("a vertex with sites by its name is a point"),
+                arrangement.inner_point(record.vertex).expect("a vertex with sites by its name is a point"),
             ),
             SiteKind::Gone => SiteAt::Point(&self.gone[record.at as usize]),
             SiteKind::End(end) | SiteKind::GoneEnd(end) => {

@@ -95,7 +95,8 @@ impl<G: BasicTraits> Trapezoids<G> {
         match record.kind {
             SiteKind::Vertex => {
                 let v = record.vertex;
-                let point = arrangement.point(v).expect("a vertex with sites by its name is a point").clone();
+                let point =
+                    arrangement.inner_point(v).expect("a vertex with sites by its name is a point").clone();
                 let record = &mut self.sites[site.index()];
                 record.kind = SiteKind::Gone;
                 record.at = u32::try_from(self.gone.len()).expect("an arrangement has fewer than 2^32 cells");

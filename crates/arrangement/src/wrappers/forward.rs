@@ -200,6 +200,15 @@ macro_rules! forward_traits {
                 $via!(self, IsFoldbackOnSide, is_foldback_on_side(curve a, curve b, plain end))
             }
 
+            fn compare_u_to_end(
+                &self,
+                p: &Self::Point,
+                curve: &Self::UMonotoneCurve,
+                end: CurveEnd,
+            ) -> Option<Ordering> {
+                $via!(self, CompareUToEnd, compare_u_to_end(plain p, curve curve, plain end))
+            }
+
             fn direction(&self, curve: &Self::UMonotoneCurve) -> Option<bool> {
                 $via!(self, Direction, direction(curve curve))
             }
@@ -210,8 +219,26 @@ macro_rules! forward_traits {
         impl<G: ClosedBottomTopTraits, $($param)*> ClosedBottomTopTraits for $wrapper {}
         impl<G: OpenLeftRightTraits, $($param)*> OpenLeftRightTraits for $wrapper {}
         impl<G: OpenBottomTopTraits, $($param)*> OpenBottomTopTraits for $wrapper {}
-        impl<G: ContractedLeftRightTraits, $($param)*> ContractedLeftRightTraits for $wrapper {}
-        impl<G: ContractedBottomTopTraits, $($param)*> ContractedBottomTopTraits for $wrapper {}
+
+        impl<G: ContractedLeftRightTraits, $($param)*> ContractedLeftRightTraits for $wrapper {
+            fn contraction_left_right(&self, side: CurveEnd) -> Self::Point {
+                $via!(self, ContractionLeftRight, contraction_left_right(plain side))
+            }
+
+            fn contracted_left_right(&self, p: &Self::Point) -> Option<CurveEnd> {
+                $via!(self, ContractedLeftRight, contracted_left_right(plain p))
+            }
+        }
+
+        impl<G: ContractedBottomTopTraits, $($param)*> ContractedBottomTopTraits for $wrapper {
+            fn contraction_bottom_top(&self, side: CurveEnd) -> Self::Point {
+                $via!(self, ContractionBottomTop, contraction_bottom_top(plain side))
+            }
+
+            fn contracted_bottom_top(&self, p: &Self::Point) -> Option<CurveEnd> {
+                $via!(self, ContractedBottomTop, contracted_bottom_top(plain p))
+            }
+        }
     };
 }
 

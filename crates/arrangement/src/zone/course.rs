@@ -6,6 +6,7 @@ use crate::overlay::Cell;
 use crate::topology::{Site, Topology};
 use crate::traits::{Along, CurveEnd, Location, SideKind, UMonotoneTraits};
 use crate::trapezoids::{Found, RailId, SiteId, Toward, TrapezoidId, Trapezoids, side};
+use dcel::VertexId;
 use std::cmp::Ordering;
 use std::ops::ControlFlow;
 
@@ -182,7 +183,7 @@ impl<'z, G: UMonotoneTraits, T: Topology<G>> Course<'z, G, T> {
                 Found::Site(site) => Some(site),
                 Found::Within(_) => None,
             });
-            return (stand(Cell::Vertex(v), on), first);
+            return (stand(self.cell_on_side(v), on), first);
         }
         let home = self.home(&place);
         let is_home = home.location == place.location;
@@ -204,6 +205,11 @@ impl<'z, G: UMonotoneTraits, T: Topology<G>> Course<'z, G, T> {
                 }
             },
         }
+    }
+
+    /// The cell at the vertex that stands for a side.
+    fn cell_on_side(&self, v: VertexId) -> Cell {
+        self.arrangement.face_of_absent(v).map_or(Cell::Vertex(v), Cell::Face)
     }
 
     /// The place of a point where an arrangement keeps it: on the lower one of two identified sides.
@@ -298,7 +304,7 @@ impl<'z, G: UMonotoneTraits, T: Topology<G>> Course<'z, G, T> {
         let (arrangement, trapezoids) = (self.arrangement, self.trapezoids);
         let place = self.ends[1];
         if let Some(v) = side_vertex(arrangement, place.location) {
-            return (Cell::Vertex(v), Ordering::Equal);
+            return (self.cell_on_side(v), Ordering::Equal);
         }
         let home = self.home(&place);
         if home.location == place.location {

@@ -2,7 +2,7 @@
 
 use crate::arrangement::Arrangement;
 use crate::topology::{Site, Topology, ends_on_side};
-use crate::traits::{Along, CurveEnd, Location, UMonotoneTraits};
+use crate::traits::{Along, BasicTraits, CurveEnd, Location, UMonotoneTraits};
 use crate::trapezoids::{RailId, SiteId, TrapezoidId, Trapezoids, compare_right};
 use dcel::VertexId;
 
@@ -80,7 +80,7 @@ fn parting<G: UMonotoneTraits, T: Topology<G>>(
 }
 
 /// The vertex that stands for the side on which a place lies, if one does.
-pub(crate) fn side_vertex<G: UMonotoneTraits, T: Topology<G>>(
+pub(crate) fn side_vertex<G: BasicTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     location: Location,
 ) -> Option<VertexId> {

@@ -279,7 +279,11 @@ impl<const MEET_ONCE: bool> NearBottomTopTraits for Strip<MEET_ONCE> {
 
 impl<const MEET_ONCE: bool> ClosedBottomTopTraits for Strip<MEET_ONCE> {}
 impl<const MEET_ONCE: bool> OpenBottomTopTraits for Strip<MEET_ONCE> {}
-impl<const MEET_ONCE: bool> ContractedBottomTopTraits for Strip<MEET_ONCE> {}
+impl<const MEET_ONCE: bool> ContractedBottomTopTraits for Strip<MEET_ONCE> {
+    fn contraction_bottom_top(&self, side: CurveEnd) -> Point2 {
+        self.pole(side as usize).expect("the side is contracted")
+    }
+}
 
 impl<const MEET_ONCE: bool> IdentifiedLeftRightTraits for Strip<MEET_ONCE> {
     fn is_on_left_right(&self, p: &Point2) -> bool {

@@ -216,6 +216,10 @@ impl PieceTraits for Everything {
         a == b && end == CurveEnd::Max
     }
 
+    fn compare_u_to_end(&self, p: &i32, curve: &Line, end: CurveEnd) -> Option<Ordering> {
+        (curve.0[0] == 1 || end == CurveEnd::Max).then(|| p.cmp(&85))
+    }
+
     fn direction(&self, curve: &Line) -> Option<bool> {
         Some(curve.0[0] < curve.0[1])
     }
@@ -232,8 +236,18 @@ impl ClosedLeftRightTraits for Everything {}
 impl ClosedBottomTopTraits for Everything {}
 impl OpenLeftRightTraits for Everything {}
 impl OpenBottomTopTraits for Everything {}
-impl ContractedLeftRightTraits for Everything {}
-impl ContractedBottomTopTraits for Everything {}
+
+impl ContractedLeftRightTraits for Everything {
+    fn contraction_left_right(&self, side: CurveEnd) -> i32 {
+        10 + side as i32
+    }
+}
+
+impl ContractedBottomTopTraits for Everything {
+    fn contraction_bottom_top(&self, side: CurveEnd) -> i32 {
+        20 + side as i32
+    }
+}
 
 /// What a model with every refinement is.
 pub(crate) trait All:
@@ -319,7 +333,12 @@ pub(crate) fn call_each<G: All<Point = i32>>(
         format!("{:?}", traits.compare_u_on_bottom_top(&1, &2)),
         format!("{:?}", traits.is_joint_allowed(&3)),
         format!("{:?}", traits.is_foldback_on_side(a, a, CurveEnd::Max)),
+        format!("{:?}", traits.compare_u_to_end(&86, a, CurveEnd::Max)),
         format!("{:?}", traits.direction(a)),
+        format!("{:?}", traits.contraction_left_right(CurveEnd::Max)),
+        format!("{:?}", traits.contraction_bottom_top(CurveEnd::Min)),
+        format!("{:?}", traits.contracted_left_right(&11)),
+        format!("{:?}", traits.contracted_bottom_top(&20)),
     ];
     let window = Window { after: Some(&1), until: Some(&6), first_to_end: 1 };
     text.push(format!("{:?}", traits.next_meeting(a, b, window)));

@@ -1,7 +1,7 @@
 //! Whether the parts of a command line fit together.
 
 use super::names::{cells_of_name, encoding_of_name};
-use super::{Place, Run, Strategy, Surface, Verb, usage};
+use super::{CellFormat, Place, Run, Strategy, Surface, Verb, usage};
 use crate::failure::Failure;
 
 /// What only the whole command line shows.
@@ -52,9 +52,7 @@ pub(super) fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
         let sentence = format!("`-o -` and `--json` both want standard output; write {what} to a file");
         return Err(usage(verb, sentence));
     }
-    if run.surface == Some(Surface::Plane) && run.period.is_some() {
-        return Err(usage(verb, "`--surface plane` and `--period` exclude each other"));
-    }
+    check_surface(run)?;
     if given.contains(&"rotate") && given.contains(&"quat") {
         return Err(usage(verb, "`--rotate` and `--quat` exclude each other"));
     }
@@ -66,6 +64,32 @@ pub(super) fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
             others.join(", ")
         );
         return Err(usage(verb, sentence));
+    }
+    Ok(())
+}
+
+/// Options that only one surface has.
+fn check_surface(run: &Run) -> Result<(), Failure> {
+    let wrong = |sentence: &str| Err(usage(run.verb, sentence));
+    match run.surface {
+        Some(Surface::Plane) if run.period.is_some() => {
+            return wrong("`--surface plane` and `--period` exclude each other");
+        }
+        Some(Surface::Sphere) if run.period.is_some() => {
+            return wrong("`--surface sphere` and `--period` exclude each other");
+        }
+        Some(Surface::Sphere) => {}
+        _ if run.identification.is_some() => {
+            return wrong("`--identification` is an option of the sphere; give --surface sphere, too");
+        }
+        _ if run.view.is_some() => {
+            return wrong("`--view` is an option of the sphere; give --surface sphere, too");
+        }
+        _ => {}
+    }
+    let is_picture = run.output.is_some() && run.cell_encoding().format == CellFormat::Svg;
+    if run.view.is_some() && !is_picture {
+        return wrong("`--view` says how a picture looks, and none is written: -o OUT.svg");
     }
     Ok(())
 }

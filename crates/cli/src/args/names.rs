@@ -35,6 +35,44 @@ impl CellEncoding {
     }
 }
 
+/// What curves lie on.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum Surface {
+    Plane,
+    Torus,
+    Sphere,
+}
+
+impl Surface {
+    pub(super) fn from_name(name: &str) -> Option<Self> {
+        match name {
+            "plane" => Some(Self::Plane),
+            "torus" => Some(Self::Torus),
+            "sphere" => Some(Self::Sphere),
+            _ => None,
+        }
+    }
+}
+
+/// How a picture shows the sphere.
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub(crate) enum View {
+    /// Two hemispheres.
+    Globe,
+    /// Longitude and latitude.
+    Unfolded,
+}
+
+impl View {
+    pub(super) fn from_name(name: &str) -> Option<Self> {
+        match name {
+            "globe" => Some(Self::Globe),
+            "unfolded" => Some(Self::Unfolded),
+            _ => None,
+        }
+    }
+}
+
 /// How the cells of points are found.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Strategy {

@@ -6,7 +6,7 @@ use crate::console::Console;
 use crate::failure::{Failure, one_line};
 use crate::located::{Answer, LocateReport, LocateSeconds, Located};
 use crate::output;
-use crate::points::{ArrangementOperand, PointOperand};
+use crate::points::{ArrangementOperand, PointOperand, Points};
 use crate::report::Clock;
 use splitstar::arrangement::location::{
     BatchStrategy, Landmarks, Naive, PointLocation, TrapezoidalMap, VerticalRay, Walk,
@@ -16,7 +16,7 @@ use splitstar::arrangement::sweep::Progress;
 use splitstar::arrangement::topology::Topology;
 use splitstar::arrangement::traits::{ApproxTraits, UMonotoneTraits};
 use splitstar::arrangement::{Arrangement, locate_by_sweep_with};
-use splitstar::formats::{CurvePoint, StarArrangement};
+use splitstar::formats::StarArrangement;
 use std::ops::ControlFlow;
 
 pub(crate) fn locate(run: &Run) -> Result<(), Failure> {
@@ -28,15 +28,15 @@ pub(crate) fn locate(run: &Run) -> Result<(), Failure> {
     let mut console = Console::new(run.quiet, run.operands.len() + 2);
     let mut clock = Clock::start();
     let arrangement = ArrangementOperand::read(arrangement, &console)?;
-    let points = PointOperand::read(points, &console)?;
+    let points = PointOperand::read(points, &arrangement, &console)?;
     points.tell_notes(&console);
     points.check_period(&arrangement)?;
     let seconds = LocateSeconds { read: clock.lap(), ..LocateSeconds::default() };
     console.step(run.verb.name());
     let strategy =
-        run.strategy.unwrap_or_else(|| chosen(points.file.points.len(), run.ray, &arrangement.arrangement));
+        run.strategy.unwrap_or_else(|| chosen(points.points.len(), run.ray, &arrangement.arrangement));
     let mut work = Work { strategy, ray: run.ray, console: &console, clock: &mut clock, seconds };
-    let cells = work.cells(&arrangement.arrangement, points.file.points);
+    let cells = work.cells(&arrangement.arrangement, points.points);
     let mut seconds = work.seconds;
     let answers: Vec<Answer> = cells.iter().map(|&cell| Answer::of(cell, &arrangement.numbers)).collect();
     seconds.compute = clock.lap();
@@ -80,6 +80,8 @@ fn chosen(points: usize, ray: Option<Ray>, arrangement: &StarArrangement) -> Str
         StarArrangement::Polycurves(arrangement) => BatchStrategy::choose(arrangement, points),
         StarArrangement::Torus(arrangement) => BatchStrategy::choose(arrangement, points),
         StarArrangement::TorusPolycurves(arrangement) => BatchStrategy::choose(arrangement, points),
+        StarArrangement::Sphere(arrangement) => BatchStrategy::choose(arrangement, points),
+        StarArrangement::SpherePolycurves(arrangement) => BatchStrategy::choose(arrangement, points),
         _ => unreachable!("no other arrangement is read"),
     };
     match batch {
@@ -100,19 +102,27 @@ struct Work<'a> {
 
 impl Work<'_> {
     /// The cells of the points, in their order.
-    fn cells(&mut self, arrangement: &StarArrangement, points: Vec<CurvePoint>) -> Vec<Cell> {
-        match arrangement {
-            StarArrangement::Linear(arrangement) => self.find(arrangement, &points),
-            StarArrangement::Polycurves(arrangement) => self.find(arrangement, &points),
-            StarArrangement::Torus(arrangement) => {
+    fn cells(&mut self, arrangement: &StarArrangement, points: Points) -> Vec<Cell> {
+        match (arrangement, points) {
+            (StarArrangement::Linear(arrangement), Points::Flat(points)) => self.find(arrangement, &points),
+            (StarArrangement::Polycurves(arrangement), Points::Flat(points)) => {
+                self.find(arrangement, &points)
+            }
+            (StarArrangement::Torus(arrangement), Points::Flat(points)) => {
                 let traits = arrangement.traits();
                 self.find(arrangement, &points.iter().map(|point| traits.point(point)).collect::<Vec<_>>())
             }
-            StarArrangement::TorusPolycurves(arrangement) => {
+            (StarArrangement::TorusPolycurves(arrangement), Points::Flat(points)) => {
                 let traits = arrangement.traits().inner();
                 self.find(arrangement, &points.iter().map(|point| traits.point(point)).collect::<Vec<_>>())
             }
-            _ => unreachable!("no other arrangement is read"),
+            (StarArrangement::Sphere(arrangement), Points::Sphere(points)) => self.find(arrangement, &points),
+            (StarArrangement::SpherePolycurves(arrangement), Points::Sphere(points)) => {
+                self.find(arrangement, &points)
+            }
+            _ => {
+                unreachable!("points are read as those of the arrangement, and no other arrangement is read")
+            }
         }
     }
 

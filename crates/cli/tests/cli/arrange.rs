@@ -168,7 +168,12 @@ const BAD: &[(&str, &[&str], &str)] = &[
     ("line 0 0 1 1\nray 2 3 4/2 3\n", &[], ":2: both points of the ray are the same"),
     ("segment 0 0 1 nan\n", &[], ":1: `nan` is not finite"),
     ("segment 0 0 1 1/0\n", &[], ":1: `1/0`"),
-    ("point 1 2\narc 0 0 1\n", &[], ":2: `arc` where `segment`, `ray`, `line`, `polyline`, `point`"),
+    ("point 1 2\narch 0 0 1\n", &[], ":2: `arch` where `segment`, `ray`, `line`, `polyline`, `point`"),
+    (
+        "point 1 2\narc 1 0 0 0 1 0\n",
+        &[],
+        ":2: `arc` in a file of the plane cannot be read; it is a curve of the sphere: arrange it with `--surface sphere`",
+    ),
     ("polyline 0 0\n", &[], ":1: the line ends where a polyline of two points or more"),
     ("LINESTRING (0 0, 1 1\n", &[], ":1: the file ends where"),
     ("CIRCULARSTRING (0 0, 1 1, 2 0)\n", &[], ":1: a geometry `CIRCULARSTRING` cannot be read"),
@@ -232,7 +237,36 @@ fn wrong_words_are_refused() {
         (&["a", "-o", "out.off.gz"], "not written as `.off.gz`; use .star or .svg, each also with .gz"),
         (&["a", "-o", &out, "--format", "off"], "unknown format `off`: star or svg, each also with .gz"),
         (&["a", "--format", "svg"], "where is missing: -o OUT"),
-        (&["a", "--surface", "sphere"], "unknown surface `sphere`: plane or torus"),
+        (&["a", "--surface", "ball"], "unknown surface `ball`: plane, torus or sphere"),
+        (
+            &["a", "--surface", "sphere", "--period", "4,3"],
+            "`--surface sphere` and `--period` exclude each other",
+        ),
+        (
+            &["a", "--identification", "1,0"],
+            "`--identification` is an option of the sphere; give --surface sphere, too",
+        ),
+        (
+            &["a", "--surface", "torus", "--view", "globe", "-o", "a.svg"],
+            "`--view` is an option of the sphere; give --surface sphere, too",
+        ),
+        (
+            &["a", "--surface", "sphere", "--view", "disc", "-o", "a.svg"],
+            "unknown view `disc`: globe or unfolded",
+        ),
+        (
+            &["a", "--surface", "sphere", "--view", "globe", "-o", "a.star"],
+            "`--view` says how a picture looks, and none is written: -o OUT.svg",
+        ),
+        (&["a", "--surface", "sphere", "--view", "globe"], "`--view` says how a picture looks"),
+        (
+            &["a", "--surface", "sphere", "--identification", "0,0.0"],
+            "`--identification 0,0` is no direction; give another one, such as -1,0",
+        ),
+        (
+            &["a", "--surface", "sphere", "--identification", "1"],
+            "`--identification 1`: 1 numbers given, X,Y expected",
+        ),
         (&["a", "--period", "4"], "`--period 4`: 1 numbers given, P,Q expected"),
         (&["a", "--period", "4,0"], "a period of `--period` is not larger than 0"),
         (&["a", "--period", "4,3", "--surface", "plane"], "exclude each other"),

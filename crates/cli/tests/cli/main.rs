@@ -15,6 +15,7 @@ mod locate;
 mod memory;
 mod pictures;
 mod results;
+mod sphere;
 mod streams;
 mod usage;
 

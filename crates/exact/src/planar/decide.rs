@@ -6,9 +6,7 @@
 
 use super::line::{Line2, NarrowLine};
 use super::point::{Point2, Repr};
-use crate::stage::{Stage, count};
-#[cfg(any(test, feature = "force-tiers"))]
-use crate::stage::{Start, start};
+use crate::stage::{Stage, count, is_big_forced, is_forced};
 use crate::tier::{Fixed, Narrow, Ring, Tier};
 use crate::{Integer, Sign, fixed};
 use std::cmp::Ordering;
@@ -31,39 +29,6 @@ impl Order {
             Self::XThenY => axis(0).then_with(|| axis(1)),
         }
     }
-}
-
-/// Tells whether a test says where to begin, so that no shortcut and no narrow tier is taken.
-#[inline(always)]
-pub(super) fn is_forced() -> bool {
-    #[cfg(any(test, feature = "force-tiers"))]
-    {
-        start() != Start::Usual
-    }
-    #[cfg(not(any(test, feature = "force-tiers")))]
-    false
-}
-
-/// Tells whether a test wants the boxes to be skipped.
-#[inline(always)]
-pub(super) fn are_boxes_skipped() -> bool {
-    #[cfg(any(test, feature = "force-tiers"))]
-    {
-        !matches!(start(), Start::Usual | Start::Float)
-    }
-    #[cfg(not(any(test, feature = "force-tiers")))]
-    false
-}
-
-/// Tells whether a test wants integers of any size. There are no intervals here: the boxes are what they could tell.
-#[inline(always)]
-fn is_big_forced() -> bool {
-    #[cfg(any(test, feature = "force-tiers"))]
-    {
-        matches!(start(), Start::Interval | Start::Big)
-    }
-    #[cfg(not(any(test, feature = "force-tiers")))]
-    false
 }
 
 /// A tier that reads machine integers of degree 1 and 2.

@@ -1,10 +1,9 @@
 //! Oriented lines of the plane.
 
 use super::Point2;
-use super::decide::are_boxes_skipped;
 use crate::filter::Filtered;
 use crate::gcd::{gcd_u64, gcd_u128};
-use crate::stage::{Stage, count};
+use crate::stage::{Stage, are_boxes_skipped, count};
 use crate::tier::Ring;
 use crate::{Integer, Rational, Sign};
 use std::cmp::Ordering;

@@ -1,9 +1,9 @@
 //! The predicates: what the boxes decide.
 
-use super::decide::{self, Order, are_boxes_skipped, is_forced};
+use super::decide::{self, Order};
 use super::{Line2, Point2};
 use crate::Sign;
-use crate::stage::{Stage, count};
+use crate::stage::{Stage, are_boxes_skipped, count, is_forced};
 use std::cmp::Ordering;
 
 /// Compares one coordinate of two points by floats and the sum of the errors of both boxes; `None` if it cannot tell.

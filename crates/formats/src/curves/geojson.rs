@@ -5,8 +5,7 @@
 
 use super::DEPTH;
 use super::lexer::{Lexer, is_mark, text_of};
-use super::maker::{Chain, Maker};
-use super::model::CurvePoint;
+use super::maker::{Chain, Maker, Surface};
 use crate::base::error::{Fault, Located};
 use crate::base::places::Place;
 use crate::base::scan::Token;
@@ -88,21 +87,25 @@ impl Role {
 }
 
 /// Reads an object whose opening bracket is read.
-pub(super) fn read<'a>(open: Token<'a>, lexer: &mut Lexer<'a>, maker: &mut Maker<'_>) -> Result<(), Located> {
+pub(super) fn read<'a, S: Surface>(
+    open: Token<'a>,
+    lexer: &mut Lexer<'a>,
+    maker: &mut Maker<'_, S>,
+) -> Result<(), Located> {
     let mut reader = Reader { lexer: *lexer, maker, depth: 1 };
     reader.members(open, Role::Record)?;
     *lexer = reader.lexer;
     Ok(())
 }
 
-struct Reader<'a, 'm, 'b> {
+struct Reader<'a, 'm, 'b, S: Surface> {
     lexer: Lexer<'a>,
-    maker: &'m mut Maker<'b>,
+    maker: &'m mut Maker<'b, S>,
     /// The number of brackets that are open.
     depth: u32,
 }
 
-impl<'a> Reader<'a, '_, '_> {
+impl<'a, S: Surface> Reader<'a, '_, '_, S> {
     fn object(&mut self, role: Role) -> Result<(), Located> {
         let open = self.open("{", role.expected())?;
         self.members(open, role)
@@ -217,7 +220,15 @@ impl<'a> Reader<'a, '_, '_> {
             Kind::Polygon => self.polygon()?,
             Kind::MultiPolygon => self.array("polygons", Self::polygon)?,
             Kind::GeometryCollection => self.array("geometries", |reader| reader.object(Role::Geometry))?,
-            Kind::FeatureCollection => self.array("features", |reader| reader.object(Role::Feature))?,
+            Kind::FeatureCollection => {
+                let mut number = 0;
+                self.array("features", |reader| {
+                    reader.maker.set_feature(Some(number));
+                    number += 1;
+                    reader.object(Role::Feature)
+                })?;
+                self.maker.set_feature(None);
+            }
             Kind::Feature if self.lexer.clone().expect("a geometry")?.bytes == b"null" => {
                 self.lexer.expect("a geometry")?;
                 self.maker.count_empty();
@@ -268,7 +279,7 @@ impl<'a> Reader<'a, '_, '_> {
 
     /// A point with the line where it begins.
     #[inline]
-    fn finite_position(&mut self) -> Result<(CurvePoint, u32), Located> {
+    fn finite_position(&mut self) -> Result<(S::Point, u32), Located> {
         let bracket = self.lexer;
         match self.position()? {
             Some(position) => Ok(position),
@@ -282,7 +293,7 @@ impl<'a> Reader<'a, '_, '_> {
 
     /// A point with the line where it begins; `None` if it has no coordinates.
     #[inline]
-    fn position(&mut self) -> Result<Option<(CurvePoint, u32)>, Located> {
+    fn position(&mut self) -> Result<Option<(S::Point, u32)>, Located> {
         self.open_array("coordinates")?;
         let first = self.lexer.expect("a coordinate")?;
         if first.bytes == b"]" {
@@ -297,7 +308,7 @@ impl<'a> Reader<'a, '_, '_> {
             return Err(comma.unexpected("`,` and a second coordinate"));
         }
         let second = self.lexer.expect("a second coordinate")?;
-        let point = self.maker.point_of(first, second)?;
+        let point = S::position(self.maker, first, second)?;
         let mut dropped = false;
         loop {
             let token = self.lexer.expect(COMMA_OR_CLOSE)?;

@@ -1,23 +1,46 @@
 //! How curves are made: coordinate by coordinate, within the budget.
 
 use super::lexer::is_mark;
-use super::model::{CurveFile, CurveNote, CurvePoint, InputCurve, PointFile};
+use super::model::CurveNote;
 use crate::base::budget::Budget;
 use crate::base::error::{At, Fault, Located, NumberFault};
 use crate::base::number::{Number, parse_number};
 use crate::base::places::{Place, PlaceList};
 use crate::base::scan::Token;
 use exact::Rational;
-use exact::planar::Point2;
+
+/// What curves lie on: what the numbers and the lists of points of a file become there.
+pub(super) trait Surface: Sized {
+    type Point: PartialEq;
+    type Curve;
+
+    /// What is said to somebody who gives a geometry that is none of these curves.
+    const INSTEAD: &'static str;
+
+    /// Makes a point of the two numbers of a position in WKT or GeoJSON.
+    fn position(maker: &mut Maker<'_, Self>, x: Token<'_>, y: Token<'_>) -> Result<Self::Point, Located>;
+
+    /// Tells why there is no curve from one point of a polyline to the next, which is another one.
+    fn check_step(from: &Self::Point, to: &Self::Point) -> Result<(), &'static str>;
+
+    fn of_point(point: Self::Point) -> Self::Curve;
+
+    fn of_chain(points: Vec<Self::Point>) -> Self::Curve;
+
+    /// The point that a curve is, or what it is.
+    fn into_point(curve: Self::Curve) -> Result<Self::Point, &'static str>;
+}
 
 /// Collects curves with their lines, and charges them to the budget.
-pub(super) struct Maker<'b> {
-    curves: Vec<InputCurve>,
+pub(super) struct Maker<'b, S: Surface> {
+    pub(super) surface: S,
+    curves: Vec<S::Curve>,
     places: PlaceList,
-    period: Option<[Rational; 2]>,
-    budget: &'b mut Budget,
+    pub(super) budget: &'b mut Budget,
+    /// The feature of a collection that is being read, from 0.
+    feature: Option<usize>,
     /// The polyline that is being read, without repeated points.
-    chain: Vec<CurvePoint>,
+    chain: Vec<S::Point>,
     /// How many points the file gives for it.
     given: usize,
     /// The line where it begins.
@@ -39,18 +62,28 @@ pub(super) enum Chain {
     Ring,
 }
 
+/// What was collected.
+pub(super) struct Collected<S, T> {
+    pub(super) surface: S,
+    pub(super) items: Vec<T>,
+    pub(super) places: PlaceList,
+    pub(super) notes: Vec<CurveNote>,
+}
+
 /// A growing list takes up to twice the size of what it holds.
 const GROWTH: u64 = 2;
-const CURVE: u64 = GROWTH * (size_of::<InputCurve>() as u64 + 4);
-const POINT: u64 = size_of::<CurvePoint>() as u64;
 
-impl<'b> Maker<'b> {
-    pub(super) fn new(budget: &'b mut Budget) -> Self {
+impl<'b, S: Surface> Maker<'b, S> {
+    const CURVE: u64 = GROWTH * (size_of::<S::Curve>() as u64 + 4);
+    const POINT: u64 = size_of::<S::Point>() as u64;
+
+    pub(super) fn new(surface: S, budget: &'b mut Budget) -> Self {
         Self {
+            surface,
             curves: Vec::new(),
             places: PlaceList::lines(),
-            period: None,
             budget,
+            feature: None,
             chain: Vec::new(),
             given: 0,
             chain_line: 0,
@@ -59,19 +92,6 @@ impl<'b> Maker<'b> {
             repeated: 0,
             collapsed: 0,
             empty: 0,
-        }
-    }
-
-    /// Makes a point of its coordinates; what it takes on the heap is charged.
-    #[inline]
-    pub(super) fn point_of(&mut self, x: Token<'_>, y: Token<'_>) -> Result<CurvePoint, Located> {
-        match (number(x)?, number(y)?) {
-            (Number::Small(i, 1), Number::Small(j, 1)) if fits(i) && fits(j) => Ok(Point2::from_i64([i, j])),
-            (i, j) => {
-                let coordinates = [i, j].map(Number::into_rational);
-                self.budget.charge(wide_bytes(&coordinates)).at_line(x.line)?;
-                Ok(Point2::from_rationals(&coordinates))
-            }
         }
     }
 
@@ -93,34 +113,20 @@ impl<'b> Maker<'b> {
         self.empty += 1;
     }
 
-    /// The file is one of a torus.
-    pub(super) fn set_period(&mut self, period: [Rational; 2]) {
-        self.period = Some(period);
+    /// Remembers which feature of a collection is read, from 0.
+    pub(super) fn set_feature(&mut self, feature: Option<usize>) {
+        self.feature = feature;
     }
 
-    /// Adds a segment, a ray or a line, whose points must be different.
-    #[inline]
-    pub(super) fn straight(&mut self, curve: InputCurve, line: u32) -> Result<(), Located> {
-        let (ends, name) = match &curve {
-            InputCurve::Segment(ends) => (ends, "segment"),
-            InputCurve::Ray(ends) => (ends, "ray"),
-            InputCurve::Line(ends) => (ends, "line"),
-            _ => unreachable!("polylines and points are added by methods of their own"),
-        };
-        if ends[0] == ends[1] {
-            return Err(same_ends(name, line));
-        }
-        if self.period.is_some() && name != "segment" {
-            let what = format!("a {name} on a torus");
-            let instead = "it has no end there: give a segment, or remove `period`".into();
-            return Err(Fault::Unsupported { what, instead }.at(Place::Line(line)));
-        }
-        self.push(curve, line)
+    /// What a message says behind the name of a thing: in which feature that is.
+    #[cold]
+    pub(super) fn in_feature(&self) -> String {
+        self.feature.map(|feature| format!(" (in feature {feature}, counted from 0)")).unwrap_or_default()
     }
 
     /// Adds an isolated point.
-    pub(super) fn point(&mut self, point: CurvePoint, line: u32) -> Result<(), Located> {
-        self.push(InputCurve::Point(point), line)
+    pub(super) fn point(&mut self, point: S::Point, line: u32) -> Result<(), Located> {
+        self.push(S::of_point(point), line)
     }
 
     /// Begins a polyline.
@@ -131,16 +137,22 @@ impl<'b> Maker<'b> {
 
     /// Appends a point to the polyline; where it repeats the last one, it is only counted.
     #[inline]
-    pub(super) fn extend_chain(&mut self, point: CurvePoint, line: u32) -> Result<(), Located> {
+    pub(super) fn extend_chain(&mut self, point: S::Point, line: u32) -> Result<(), Located> {
         if self.given == 0 {
             self.chain_line = line;
         }
         self.given += 1;
-        if self.chain.last() == Some(&point) {
-            return Ok(());
+        if let Some(last) = self.chain.last() {
+            if *last == point {
+                return Ok(());
+            }
+            if let Err(why) = S::check_step(last, &point) {
+                let why = format!("{why}{}", self.in_feature());
+                return Err(Fault::Malformed { why }.at(Place::Line(line)));
+            }
         }
         if self.chain.len() == self.charged {
-            self.budget.charge(GROWTH * POINT).at_line(line)?;
+            self.budget.charge(GROWTH * Self::POINT).at_line(line)?;
             self.charged += 1;
         }
         self.chain.push(point);
@@ -164,14 +176,19 @@ impl<'b> Maker<'b> {
             return self.point(point, line);
         }
         self.repeated += repeated;
-        self.budget.charge(POINT * self.chain.len() as u64).at_line(line)?;
+        self.budget.charge(Self::POINT * self.chain.len() as u64).at_line(line)?;
         let points = self.chain.drain(..).collect();
-        self.push(InputCurve::Polyline(points), line)
+        self.push(S::of_chain(points), line)
+    }
+
+    /// Charges points that a curve keeps in a place of their own.
+    pub(super) fn charge_points(&mut self, count: u64, line: u32) -> Result<(), Located> {
+        self.budget.charge(Self::POINT * count).at_line(line)
     }
 
     #[inline]
-    fn push(&mut self, curve: InputCurve, line: u32) -> Result<(), Located> {
-        self.budget.charge(CURVE).at_line(line)?;
+    pub(super) fn push(&mut self, curve: S::Curve, line: u32) -> Result<(), Located> {
+        self.budget.charge(Self::CURVE).at_line(line)?;
         if self.curves.len() >= u32::MAX as usize - 1 {
             let why = format!("more than {} curves; split the file", u32::MAX - 1);
             return Err(Fault::Malformed { why }.at(Place::Line(line)));
@@ -185,47 +202,39 @@ impl<'b> Maker<'b> {
     #[inline]
     pub(super) fn bare_point(
         &mut self,
-        x: Token<'_>,
-        y: Token<'_>,
-        points: &mut Vec<CurvePoint>,
+        point: S::Point,
+        line: u32,
+        points: &mut Vec<S::Point>,
     ) -> Result<(), Located> {
-        let point = self.point_of(x, y)?;
-        self.budget.charge(GROWTH * (POINT + 4)).at_line(x.line)?;
+        self.budget.charge(GROWTH * (Self::POINT + 4)).at_line(line)?;
         points.push(point);
-        self.places.push(Place::Line(x.line));
+        self.places.push(Place::Line(line));
         Ok(())
     }
 
     /// Takes the curves out that were added since the last call, which must be points.
     #[inline]
-    pub(super) fn take_points(&mut self, into: &mut Vec<CurvePoint>) -> Result<(), Located> {
+    pub(super) fn take_points(&mut self, into: &mut Vec<S::Point>) -> Result<(), Located> {
         for curve in self.curves.drain(..) {
-            let name = match curve {
-                InputCurve::Point(point) => {
-                    into.push(point);
-                    continue;
-                }
-                InputCurve::Segment(_) => "segment",
-                InputCurve::Ray(_) => "ray",
-                InputCurve::Line(_) => "line",
-                InputCurve::Polyline(_) => "polyline",
-            };
-            return Err(not_a_point(name, self.places.get(into.len())));
+            match S::into_point(curve) {
+                Ok(point) => into.push(point),
+                Err(name) => return Err(not_a_point(name, self.places.get(into.len()))),
+            }
         }
         Ok(())
     }
 
-    pub(super) fn finish(self) -> CurveFile {
+    pub(super) fn finish(self) -> Collected<S, S::Curve> {
         let mut notes = self.notes();
         notes.extend(self.curves.is_empty().then_some(CurveNote::NoCurves));
-        CurveFile { curves: self.curves, places: self.places, period: self.period, notes }
+        Collected { surface: self.surface, items: self.curves, places: self.places, notes }
     }
 
     /// A file of the points that were taken out.
-    pub(super) fn finish_points(self, points: Vec<CurvePoint>) -> PointFile {
+    pub(super) fn finish_points(self, points: Vec<S::Point>) -> Collected<S, S::Point> {
         let mut notes = self.notes();
         notes.extend(points.is_empty().then_some(CurveNote::NoPoints));
-        PointFile { points, places: self.places, period: self.period, notes }
+        Collected { surface: self.surface, items: points, places: self.places, notes }
     }
 
     fn notes(&self) -> Vec<CurveNote> {
@@ -242,7 +251,7 @@ impl<'b> Maker<'b> {
 
 #[cold]
 fn not_a_point(name: &str, place: Option<Place>) -> Located {
-    let why = format!("a {name} in a file of points; remove it, or give the points that are asked about");
+    let why = format!("{name} in a file of points; remove it, or give the points that are asked about");
     Located { place, fault: Fault::Malformed { why } }
 }
 
@@ -254,18 +263,6 @@ fn no_number(token: Token<'_>, fault: NumberFault) -> Located {
     token.fault(|token| Fault::BadNumber { token, fault })
 }
 
-#[cold]
-fn same_ends(name: &str, line: u32) -> Located {
-    let why = if name == "segment" {
-        "both ends of the segment are the same point; move one of them, or write `point x y`".into()
-    } else {
-        format!(
-            "both points of the {name} are the same, so that it has no direction; give two different points"
-        )
-    };
-    Fault::Malformed { why }.at(Place::Line(line))
-}
-
 /// Reads a coordinate or a period.
 #[inline]
 pub(super) fn number(token: Token<'_>) -> Result<Number, Located> {
@@ -273,23 +270,25 @@ pub(super) fn number(token: Token<'_>) -> Result<Number, Located> {
 }
 
 /// Bits of integers that a point holds without an allocation.
-const NARROW_BITS: u32 = 61;
+const NARROW_BITS: u64 = 61;
 
+/// Whether a point has this integer without an allocation.
 #[inline]
-fn fits(integer: i64) -> bool {
+pub(super) fn fits(integer: i64) -> bool {
     integer.unsigned_abs() >> NARROW_BITS == 0
 }
 
-/// What the point of these coordinates takes on the heap at most: two numerators and their common denominator, and the
-/// digits of those that are longer than two machine words.
-fn wide_bytes([x, y]: &[Rational; 2]) -> u64 {
-    let bits =
-        |number: &Rational| [number.numerator(), number.denominator()].map(|part| u64::from(part.bit_len()));
-    let ([x, x_weight], [y, y_weight]) = (bits(x), bits(y));
-    let bits = [x + y_weight, y + x_weight, x_weight + y_weight];
-    if bits.iter().all(|&bits| bits <= u64::from(NARROW_BITS)) {
+/// What a point of three integers of so many bits takes on the heap at most: the integers, and the digits of those that are longer than two
+/// machine words.
+pub(super) fn heap_bytes(bits: [u64; 3]) -> u64 {
+    if bits.iter().all(|&bits| bits <= NARROW_BITS) {
         return 0;
     }
     let digits = |bits: u64| if bits <= 128 { 0 } else { bits * 9 / 64 + 40 };
     96 + bits.into_iter().map(digits).sum::<u64>()
+}
+
+/// The bits of numerator and denominator.
+pub(super) fn bits(number: &Rational) -> [u64; 2] {
+    [number.numerator(), number.denominator()].map(|part| u64::from(part.bit_len()))
 }

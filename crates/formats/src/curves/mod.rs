@@ -1,11 +1,12 @@
-//! Curves of the plane or of a flat torus, as text: what an arrangement is made of.
+//! Curves of the plane, of a flat torus or of the sphere, as text: what an arrangement is made of.
 //!
 //! | files | role |
 //! |---|---|
 //! | `model` | the curves, the notes |
 //! | `lexer` | tokens, in one line or across lines |
 //! | `maker` | points and curves within the budget; repeated points |
-//! | `read` | the doors, for curves and for points alone, and the lines of our own grammar |
+//! | `read` | the doors, for curves and for points alone |
+//! | `plane`, `sphere` | points, and the lines of our own grammar |
 //! | `wkt`, `geojson` | the two other grammars that may stand in a line |
 //! | `write` | the way out |
 //!
@@ -20,13 +21,19 @@ mod geojson;
 mod lexer;
 mod maker;
 mod model;
+mod plane;
 mod read;
+mod sphere;
 mod wkt;
 mod write;
 
-pub use model::{CurveFile, CurveNote, CurvePoint, InputCurve, PointFile};
-pub use read::{read_curves, read_points};
-pub use write::{write_curves, write_periodic_curves};
+pub(crate) use sphere::{SphereFault, check_sphere_curve};
+
+pub use model::{
+    CurveFile, CurveNote, CurvePoint, InputCurve, PointFile, SphereCurve, SphereCurveFile, SpherePointFile,
+};
+pub use read::{read_curves, read_points, read_sphere_curves, read_sphere_points};
+pub use write::{write_curves, write_periodic_curves, write_sphere_curves};
 
 /// How deep brackets of WKT and GeoJSON may be nested.
 const DEPTH: u32 = 64;

@@ -3,6 +3,7 @@
 use crate::base::places::PlaceList;
 use exact::Rational;
 use exact::planar::Point2;
+use exact::spherical::{Direction, GreatCircle};
 use std::fmt;
 
 /// A point of the plane, as arrangements take it.
@@ -25,6 +26,25 @@ pub enum InputCurve {
     Polyline(Vec<CurvePoint>),
     /// An isolated point.
     Point(CurvePoint),
+}
+
+/// A curve on the sphere as it is given to an arrangement: an arc of a great circle, or several of them.
+///
+/// What [`read_sphere_curves`](crate::read_sphere_curves) gives has a place in an arrangement: arcs are defined, and points that follow
+/// each other in a polyline are different and not antipodal.
+#[derive(Clone, PartialEq, Debug)]
+#[non_exhaustive]
+pub enum SphereCurve {
+    /// The shorter arc between two points.
+    Arc([Direction; 2]),
+    /// The arc from the first point through the second to the third. It may be longer than half a circle.
+    ArcVia(Box<[Direction; 3]>),
+    /// A great circle.
+    Circle(GreatCircle),
+    /// Arcs one after the other, through two points or more; each is the shorter one.
+    Polyline(Vec<Direction>),
+    /// An isolated point.
+    Point(Direction),
 }
 
 /// What a file of curves says.
@@ -55,7 +75,31 @@ pub struct PointFile {
     pub notes: Vec<CurveNote>,
 }
 
-/// What was changed or left out, because it means nothing for curves of the plane.
+/// What a file of curves on the sphere says.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct SphereCurveFile {
+    /// The curves, in the order of the file.
+    pub curves: Vec<SphereCurve>,
+    /// The line of each curve. A geometry that has several curves gives to each the line where its coordinates begin.
+    pub places: PlaceList,
+    /// What of the file is not in the curves.
+    pub notes: Vec<CurveNote>,
+}
+
+/// What a file of points on the sphere says.
+#[derive(Clone, Debug)]
+#[non_exhaustive]
+pub struct SpherePointFile {
+    /// The points, in the order of the file.
+    pub points: Vec<Direction>,
+    /// The line of each point.
+    pub places: PlaceList,
+    /// What of the file is not in the points.
+    pub notes: Vec<CurveNote>,
+}
+
+/// What was changed or left out, because it means nothing for curves.
 #[derive(Clone, PartialEq, Eq, Debug)]
 #[non_exhaustive]
 pub enum CurveNote {

@@ -1,17 +1,16 @@
-//! The doors to files of curves and of points, and the lines of our own grammar.
+//! The doors to files of curves and of points.
 
-use super::geojson;
 use super::lexer::Lexer;
-use super::maker::{self, Chain, Maker};
-use super::model::{CurveFile, CurvePoint, InputCurve, PointFile};
-use super::wkt;
+use super::maker::{Collected, Maker};
+use super::model::{CurveFile, PointFile, SphereCurveFile, SpherePointFile};
+use super::plane::{self, Plane};
+use super::sphere::{self, Sphere};
 use crate::base::budget::Budget;
 use crate::base::error::{Fault, Located, ReadError};
 use crate::base::places::Place;
 use crate::base::scan::Token;
 use crate::format::{Content, Encoding, Format};
 use crate::gzip;
-use exact::{Rational, Sign};
 
 /// Reads a file of curves: one a line, in our own words, as a geometry of WKT or as an object of GeoJSON.
 ///
@@ -69,6 +68,59 @@ pub fn read_points(bytes: &[u8], file_name: Option<&str>) -> Result<PointFile, R
     read_packed(bytes, file_name, read_unpacked_points).map_err(of_no_format)
 }
 
+/// Reads a file of curves on the sphere: arcs of great circles and points, one a line, in our own words, as a geometry of WKT or as an
+/// object of GeoJSON.
+///
+/// In our own words a point is a direction `x y z` of any length. In WKT and GeoJSON it is a place, longitude and latitude in degrees, which becomes a
+/// rational point of the unit sphere: see [`from_degrees`](exact::spherical::geographic::from_degrees). Consecutive points of a polyline
+/// are joined by the shorter arc.
+///
+/// What is said of [`read_curves`] holds here too.
+///
+/// # Errors
+/// As for [`read_curves`]; words for curves of the plane; the zero vector; arcs and polylines with antipodal points that do not tell which
+/// way they go; points behind `via` that are not on an arc; latitudes that are none.
+///
+/// # Complexity
+/// That of [`read_curves`].
+///
+/// ```
+/// use exact::spherical::Direction;
+/// use splitstar_formats::{SphereCurve, read_sphere_curves};
+///
+/// let text = b"arc 1 0 0  0 0.5 1/3\narc 1 0 0  -1 0 0  via 0 0 1\ncircle 0 0 1 # the equator\n\
+///     {\"type\": \"Point\", \"coordinates\": [-90, 0]}\n";
+/// let file = read_sphere_curves(text, None)?;
+/// assert_eq!(file.curves.len(), 4);
+/// let west = Direction::from_i64([0, -1, 0]).ok_or("zero")?;
+/// assert_eq!(file.curves[3], SphereCurve::Point(west));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub fn read_sphere_curves(bytes: &[u8], file_name: Option<&str>) -> Result<SphereCurveFile, ReadError> {
+    read_packed(bytes, file_name, read_unpacked_sphere).map_err(of_no_format)
+}
+
+/// Reads a file of points of the sphere to be asked about: one a line, as three coordinates, or in any of the ways in which
+/// [`read_sphere_curves`] reads points.
+///
+/// # Errors
+/// As for [`read_sphere_curves`]; and a file with another curve than a point is refused, with the line of that.
+///
+/// # Complexity
+/// That of [`read_curves`].
+///
+/// ```
+/// use splitstar_formats::read_sphere_points;
+///
+/// let file = read_sphere_points(b"0 0 2 # the north pole\npoint 1 0.5 1/3\nPOINT (13.4 52.5)\n", None)?;
+/// assert_eq!(file.points.len(), 3);
+/// assert_eq!(file.points[0].to_string(), "(0, 0, 1)");
+/// # Ok::<(), splitstar_formats::ReadError>(())
+/// ```
+pub fn read_sphere_points(bytes: &[u8], file_name: Option<&str>) -> Result<SpherePointFile, ReadError> {
+    read_packed(bytes, file_name, read_unpacked_sphere_points).map_err(of_no_format)
+}
+
 fn of_no_format(Located { place, fault }: Located) -> ReadError {
     ReadError { format: None, part: None, place, fault }
 }
@@ -97,9 +149,11 @@ fn unsupported(what: &str, instead: &str) -> Fault {
 }
 
 fn read_unpacked(bytes: &[u8], file_name: Option<&str>, budget: &mut Budget) -> Result<CurveFile, Located> {
-    let mut maker = Maker::new(budget);
-    read_records(bytes, file_name, &CURVES, |word, lexer, first| record(word, lexer, &mut maker, first))?;
-    Ok(maker.finish())
+    let mut maker = Maker::new(Plane::default(), budget);
+    let read = |word, lexer: &mut _, first| plane::record(word, lexer, &mut maker, first);
+    read_records(bytes, file_name, &CURVES, read)?;
+    let Collected { surface, items, places, notes } = maker.finish();
+    Ok(CurveFile { curves: items, places, period: surface.period, notes })
 }
 
 fn read_unpacked_points(
@@ -107,21 +161,57 @@ fn read_unpacked_points(
     file_name: Option<&str>,
     budget: &mut Budget,
 ) -> Result<PointFile, Located> {
-    let mut maker = Maker::new(budget);
+    let mut maker = Maker::new(Plane::default(), budget);
     let mut points = Vec::new();
     read_records(bytes, file_name, &POINTS, |word, lexer, first| {
-        let known = if matches!(word.bytes.first(), Some(b'0'..=b'9' | b'+' | b'-' | b'.')) {
-            let y = lexer.expect_in_line("a point of two coordinates (`x y`)")?;
-            maker.bare_point(word, y, &mut points)?;
-            Known::Yes
-        } else {
-            let known = record(word, lexer, &mut maker, first)?;
+        if !begins_number(word) {
+            let known = plane::record(word, lexer, &mut maker, first)?;
             maker.take_points(&mut points)?;
-            known
-        };
-        Ok(known)
+            return Ok(known);
+        }
+        let y = lexer.expect_in_line("a point of two coordinates (`x y`)")?;
+        let point = maker.point_of(word, y)?;
+        maker.bare_point(point, word.line, &mut points)?;
+        Ok(Known::Yes)
     })?;
-    Ok(maker.finish_points(points))
+    let Collected { surface, items, places, notes } = maker.finish_points(points);
+    Ok(PointFile { points: items, places, period: surface.period, notes })
+}
+
+fn read_unpacked_sphere(
+    bytes: &[u8],
+    file_name: Option<&str>,
+    budget: &mut Budget,
+) -> Result<SphereCurveFile, Located> {
+    let mut maker = Maker::new(Sphere, budget);
+    read_records(bytes, file_name, &SPHERE_CURVES, |word, lexer, _| sphere::record(word, lexer, &mut maker))?;
+    let Collected { items, places, notes, .. } = maker.finish();
+    Ok(SphereCurveFile { curves: items, places, notes })
+}
+
+fn read_unpacked_sphere_points(
+    bytes: &[u8],
+    file_name: Option<&str>,
+    budget: &mut Budget,
+) -> Result<SpherePointFile, Located> {
+    let mut maker = Maker::new(Sphere, budget);
+    let mut points = Vec::new();
+    read_records(bytes, file_name, &SPHERE_POINTS, |word, lexer, _| {
+        if !begins_number(word) {
+            let known = sphere::record(word, lexer, &mut maker)?;
+            maker.take_points(&mut points)?;
+            return Ok(known);
+        }
+        let point = sphere::bare_point(word, lexer, &mut maker)?;
+        maker.bare_point(point, word.line, &mut points)?;
+        Ok(Known::Yes)
+    })?;
+    let Collected { items, places, notes, .. } = maker.finish_points(points);
+    Ok(SpherePointFile { points: items, places, notes })
+}
+
+fn begins_number(word: Token<'_>) -> bool {
+    matches!(word.bytes.first(), Some(b'0'..=b'9' | b'+' | b'-' | b'.'))
 }
 
 /// How messages name what a file should have.
@@ -144,6 +234,14 @@ const POINTS: Wanted = Wanted {
     how: "give points as text, WKT or GeoJSON",
     records: "a point as `x y` or `point x y`, a POINT of WKT or a GeoJSON object",
 };
+
+const SPHERE_CURVES: Wanted = Wanted {
+    records: "`arc`, `circle`, `polyline`, `point`, a geometry of WKT or a GeoJSON object",
+    ..CURVES
+};
+
+const SPHERE_POINTS: Wanted =
+    Wanted { records: "a point as `x y z` or `point x y z`, a POINT of WKT or a GeoJSON object", ..POINTS };
 
 /// Reads all records of a text by a function that is given the first word of each, and whether it is the first record.
 fn read_records<'a>(
@@ -168,85 +266,9 @@ fn read_records<'a>(
 }
 
 /// Whether a record begins with a word that is known.
-enum Known {
+pub(super) enum Known {
     Yes,
     No,
-}
-
-/// Reads a record whose first word is read.
-fn record<'a>(
-    word: Token<'a>,
-    lexer: &mut Lexer<'a>,
-    maker: &mut Maker<'_>,
-    first: bool,
-) -> Result<Known, Located> {
-    let is = |keyword: &str| word.bytes.eq_ignore_ascii_case(keyword.as_bytes());
-    if is("segment") {
-        let ends = two_points(lexer, maker, "a segment of two points (`segment x1 y1 x2 y2`)")?;
-        maker.straight(InputCurve::Segment(ends), word.line)?;
-    } else if is("polyline") {
-        polyline(lexer, maker)?;
-    } else if is("ray") {
-        let ends = two_points(lexer, maker, "a ray of two points (`ray x1 y1 x2 y2`)")?;
-        maker.straight(InputCurve::Ray(ends), word.line)?;
-    } else if is("line") {
-        let ends = two_points(lexer, maker, "a line of two points (`line x1 y1 x2 y2`)")?;
-        maker.straight(InputCurve::Line(ends), word.line)?;
-    } else if is("point") && !wkt::follows(lexer) {
-        let point = point(lexer, maker, "a point of two coordinates (`point x y`)")?;
-        maker.point(point, word.line)?;
-    } else if is("period") {
-        if !first {
-            let why = "`period` behind another record; make it the first one, and the only `period`".into();
-            return Err(Fault::Malformed { why }.at(Place::Line(word.line)));
-        }
-        let period = [period(lexer)?, period(lexer)?];
-        maker.set_period(period);
-    } else if word.bytes == b"{" {
-        geojson::read(word, lexer, maker)?;
-    } else if wkt::begins_with(word) {
-        wkt::read(word, lexer, maker)?;
-    } else {
-        return Ok(Known::No);
-    }
-    Ok(Known::Yes)
-}
-
-#[inline]
-fn point(lexer: &mut Lexer<'_>, maker: &mut Maker<'_>, expected: &str) -> Result<CurvePoint, Located> {
-    let x = lexer.expect_in_line(expected)?;
-    let y = lexer.expect_in_line(expected)?;
-    maker.point_of(x, y)
-}
-
-#[inline]
-fn two_points(
-    lexer: &mut Lexer<'_>,
-    maker: &mut Maker<'_>,
-    expected: &str,
-) -> Result<[CurvePoint; 2], Located> {
-    Ok([point(lexer, maker, expected)?, point(lexer, maker, expected)?])
-}
-
-fn polyline(lexer: &mut Lexer<'_>, maker: &mut Maker<'_>) -> Result<(), Located> {
-    const TWO: &str = "a polyline of two points or more (`polyline x1 y1 x2 y2 ...`)";
-    maker.begin_chain();
-    for _ in 0..2 {
-        let point = point(lexer, maker, TWO)?;
-        maker.extend_chain(point, lexer.line())?;
-    }
-    while let Some(x) = lexer.token_in_line() {
-        let y = lexer.expect_in_line("the second coordinate of the last point")?;
-        let point = maker.point_of(x, y)?;
-        maker.extend_chain(point, x.line)?;
-    }
-    maker.end_chain(Chain::Open)
-}
-
-fn period(lexer: &mut Lexer<'_>) -> Result<Rational, Located> {
-    let token = lexer.expect_in_line("a pair of periods (`period P Q`)")?;
-    let period = maker::number(token)?.into_rational();
-    if period.sign() == Sign::Positive { Ok(period) } else { Err(token.unexpected("a period larger than 0")) }
 }
 
 /// No record begins with this word. If it is the first of the file, this may be a file of another kind, of which the

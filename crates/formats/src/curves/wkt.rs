@@ -2,8 +2,7 @@
 
 use super::DEPTH;
 use super::lexer::{Lexer, is_mark};
-use super::maker::{Chain, Maker};
-use super::model::CurvePoint;
+use super::maker::{Chain, Maker, Surface};
 use crate::base::error::{Fault, Located};
 use crate::base::places::Place;
 use crate::base::scan::Token;
@@ -60,10 +59,6 @@ pub(super) fn begins_with(word: Token<'_>) -> bool {
     is_srid(word) || kind_of(word).is_some()
 }
 
-/// What is said to somebody who gives a geometry that is not straight.
-const STRAIGHT: &str =
-    "give `segment`, `ray`, `line`, `polyline` or `point`, or a POINT, LINESTRING or POLYGON of WKT";
-
 /// Whether what follows the word `point` makes it one of WKT: a parenthesis or a word that is no number.
 pub(super) fn follows(lexer: &Lexer<'_>) -> bool {
     let is_tag = |token: Token<'_>| dimension_of(token).is_some() || is(token, "EMPTY");
@@ -71,7 +66,11 @@ pub(super) fn follows(lexer: &Lexer<'_>) -> bool {
 }
 
 /// Reads a geometry whose first word is read.
-pub(super) fn read<'a>(word: Token<'a>, lexer: &mut Lexer<'a>, maker: &mut Maker<'_>) -> Result<(), Located> {
+pub(super) fn read<'a, S: Surface>(
+    word: Token<'a>,
+    lexer: &mut Lexer<'a>,
+    maker: &mut Maker<'_, S>,
+) -> Result<(), Located> {
     let mut word = word;
     if is_srid(word) {
         let number = &word.bytes[SRID.len()..];
@@ -115,20 +114,20 @@ fn dimension_of(token: Token<'_>) -> Option<Dimension> {
     }
 }
 
-struct Reader<'a, 'l, 'm, 'b> {
+struct Reader<'a, 'l, 'm, 'b, S: Surface> {
     lexer: &'l mut Lexer<'a>,
-    maker: &'m mut Maker<'b>,
+    maker: &'m mut Maker<'b, S>,
     /// The number of collections that are open.
     depth: u32,
 }
 
-impl<'a> Reader<'a, '_, '_, '_> {
+impl<'a, S: Surface> Reader<'a, '_, '_, '_, S> {
     fn geometry(&mut self, word: Token<'a>) -> Result<(), Located> {
         let (kind, mut dimension) = kind_of(word).ok_or_else(|| word.unexpected(GEOMETRY))?;
         if kind == Kind::Other {
             return Err(word.fault(|what| Fault::Unsupported {
                 what: format!("a geometry `{what}`"),
-                instead: STRAIGHT.into(),
+                instead: S::INSTEAD.into(),
             }));
         }
         let expected = "`(` or `EMPTY`";
@@ -248,13 +247,13 @@ impl<'a> Reader<'a, '_, '_, '_> {
         &mut self,
         first: Option<Token<'a>>,
         dimension: Dimension,
-    ) -> Result<(CurvePoint, u32), Located> {
+    ) -> Result<(S::Point, u32), Located> {
         let first = first.map_or_else(|| self.lexer.expect(COORDINATE), Ok)?;
         if is_mark(first) {
             return Err(first.unexpected(COORDINATE));
         }
         let second = self.lexer.expect(COORDINATE)?;
-        let point = self.maker.point_of(first, second)?;
+        let point = S::position(self.maker, first, second)?;
         let (least, most) = match dimension {
             Dimension::Unsaid => (2, 4),
             Dimension::Exactly(number) => (number, number),

@@ -18,8 +18,9 @@ mod read;
 mod write;
 
 pub use arrangement::{
-    CellNumbers, LinearArrangement, PolycurveArrangement, StarArrangement, StarText, TorusArrangement,
-    TorusPolycurveArrangement, read_arrangement, read_numbered_arrangement, write_arrangement,
+    CellNumbers, LinearArrangement, PolycurveArrangement, SphereArrangement, SpherePolycurveArrangement,
+    StarArrangement, StarText, TorusArrangement, TorusPolycurveArrangement, read_arrangement,
+    read_numbered_arrangement, write_arrangement,
 };
 pub(crate) use read::read;
 pub(crate) use write::{write_complex, write_mesh};

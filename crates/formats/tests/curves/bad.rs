@@ -67,6 +67,16 @@ const LINES: &[Row] = &[
     (
         "circle 0 0 1",
         1,
+        "`circle` in a file of the plane cannot be read; it is a curve of the sphere: arrange it with `--surface sphere`",
+    ),
+    (
+        "point 0 0\nArc 1 0 0  0 1 0",
+        2,
+        "`Arc` in a file of the plane cannot be read; it is a curve of the sphere: arrange it with `--surface sphere`",
+    ),
+    (
+        "circle (0 0, 1 1)",
+        1,
         "a geometry `circle` cannot be read; give `segment`, `ray`, `line`, `polyline` or `point`, or a POINT, LINESTRING or POLYGON of WKT",
     ),
 ];

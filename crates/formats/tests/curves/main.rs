@@ -7,6 +7,7 @@ mod bad;
 mod page;
 mod points;
 mod random;
+mod sphere;
 
 use splitstar_formats::{CurveFile, CurvePoint, InputCurve, Place, read_curves, write_curves};
 use splitstar_formats::{PlaceList, write_periodic_curves};

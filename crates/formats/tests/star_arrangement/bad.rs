@@ -29,7 +29,7 @@ fn cross() -> String {
     CROSS.replace("inner -0 +0 -1 +1 -2", "inner -0 +0 +3 -3 +2 -2 -1 +1")
 }
 
-fn message(text: &str) -> String {
+pub(crate) fn message(text: &str) -> String {
     match read_arrangement(text.as_bytes(), None) {
         Ok(_) => panic!("it is read:\n{text}"),
         Err(error) => error.to_string(),
@@ -61,9 +61,13 @@ const CHANGES: &[(&str, &str, &str)] = &[
     (
         "surface plane\n",
         "",
-        "line 2: `curve` where the second line `surface plane` or `surface torus P Q` was expected; correct it",
+        "line 2: `curve` where the second line `surface plane`, `surface torus P Q` or `surface sphere DX DY` was expected; correct it",
     ),
-    ("surface plane", "surface sphere", "line 2: `sphere` where `plane` or `torus` was expected; correct it"),
+    (
+        "surface plane",
+        "surface bottle",
+        "line 2: `bottle` where `plane`, `torus` or `sphere` was expected; correct it",
+    ),
     ("surface plane", "surface torus 1 0", "line 2: the period along v is not positive"),
     ("curve 0 segment", "surface plane\ncurve 0 segment", "line 3: a second surface; remove one"),
     (
@@ -212,7 +216,7 @@ const CHANGES: &[(&str, &str, &str)] = &[
     ("isolated 5", "face 1\nisolated 5", "line 17: the face has no boundary; add `outer` or `inner`"),
 ];
 
-fn check(text: &str, expected: &str, wrong: &mut Vec<String>) {
+pub(crate) fn check(text: &str, expected: &str, wrong: &mut Vec<String>) {
     let found = message(text);
     if found != expected {
         wrong.push(format!("found    {found}\nexpected {expected}\n{text}"));

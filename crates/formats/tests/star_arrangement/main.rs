@@ -8,6 +8,9 @@ mod models;
 mod overlaps;
 mod page;
 mod random;
+mod sphere;
+mod sphere_bad;
+mod sphere_random;
 
 use splitstar_formats::{StarArrangement, read_arrangement, write_arrangement};
 

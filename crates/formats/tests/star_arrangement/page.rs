@@ -21,13 +21,13 @@ fn the_examples_of_the_page_are_what_is_written() {
             [counts.vertices, counts.edges, counts.faces]
         })
         .collect();
-    assert_eq!(counts, [[8, 7, 2], [1, 4, 4], [4, 4, 1], [1, 1, 1], [5, 4, 1]]);
+    assert_eq!(counts, [[8, 7, 2], [1, 4, 4], [4, 4, 1], [1, 1, 1], [5, 4, 1], [4, 2, 2], [3, 3, 2]]);
 }
 
 #[test]
 fn every_seed_is_read_and_comes_back() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds/star_arrangement");
-    let mut families = [0; 4];
+    let mut families = [0; 6];
     for seed in std::fs::read_dir(folder).unwrap() {
         let seed = seed.unwrap().path();
         let arrangement = read_arrangement(&std::fs::read(&seed).unwrap(), None)
@@ -37,7 +37,9 @@ fn every_seed_is_read_and_comes_back() {
             StarArrangement::Linear(_) => 0,
             StarArrangement::Polycurves(_) => 1,
             StarArrangement::Torus(_) => 2,
-            _ => 3,
+            StarArrangement::TorusPolycurves(_) => 3,
+            StarArrangement::Sphere(_) => 4,
+            _ => 5,
         }] += 1;
     }
     assert!(families.iter().all(|&seeds| seeds > 0), "{families:?}");

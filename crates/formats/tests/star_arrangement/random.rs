@@ -162,7 +162,7 @@ fn changed_texts_are_read_or_refused() {
 }
 
 /// A word changed for another one of the text, a line left out, or two lines exchanged.
-fn changed(text: &str, numbers: &mut Numbers) -> String {
+pub(crate) fn changed(text: &str, numbers: &mut Numbers) -> String {
     let mut lines: Vec<String> = text.lines().map(String::from).collect();
     let any = |numbers: &mut Numbers, count: usize| numbers.below(count as u64) as usize;
     for _ in 0..1 + numbers.below(2) {

@@ -8,3 +8,4 @@ mod cases;
 mod contract;
 mod duality;
 mod edits;
+mod sphere;

@@ -5,7 +5,9 @@
 //! | `outline` | edges as chains of points, and the window that holds all that happens |
 //! | `fill` | what the CCBs of a face enclose: closed along the window where it runs through infinity |
 //! | `torus` | faces of a torus, unrolled into the plane |
+//! | `sphere` | pictures of a sphere: unfolded, and as a globe |
 //! | `components` | which cells hang together |
+//! | `look` | how cells are painted in all of them |
 //!
 //! 1. The window is around all vertices, and is met by every edge; what is shown may be less.
 //! 2. Every edge becomes a chain, from its min to its max vertex; an unbounded one ends on the window.
@@ -14,8 +16,12 @@
 
 mod components;
 mod fill;
+mod look;
 mod outline;
+mod sphere;
 mod torus;
+
+pub use sphere::GlobeOptions;
 
 use ::arrangement::Arrangement;
 use ::arrangement::topology::Topology;
@@ -27,38 +33,45 @@ use crate::frame::{Frame, Point};
 use crate::scene::{Item, Layer, Scene, Shape};
 use crate::style::{Dash, Stroke, Style};
 use components::Components;
+use look::Look;
 use outline::Outlines;
-
-/// Above this many vertices markers and strokes are thin.
-const MANY: usize = 2_000;
 
 impl Scene {
     /// The picture of an arrangement: layers `faces`, `edges`, `vertices`, and on a torus `frame` above the faces. Cells have
     /// their ids as names: `f0`, `e0`, `v0`.
     ///
     /// In the plane, bounded faces have the colour of the component of their outer CCB; unbounded ones, and those without outer
-    /// CCB, a light grey. On a torus every face has a colour of its own. Edges are those that are stored; vertices are those of
+    /// CCB, a light grey. On a torus and on a sphere every face has a colour of its own. Edges are those that are stored; vertices are those of
     /// [`Arrangement::user_view`], so that a closed curve shows the one that it keeps.
     ///
     /// `shown` is what the picture shows; `None` stands for all vertices and every edge, with a margin. On a torus it must be
     /// the rectangle whose sides are glued together, which is drawn, too; points on a seam, and edges along one, are drawn on
-    /// both sides, with the same name. Whether coordinates are too near each other, [`Scene::is_collapsed`] tells.
+    /// both sides, with the same name.
+    ///
+    /// A sphere is unfolded to the rectangle of its parameters in radians, u from 0 to 2 pi and v from -pi/2 to pi/2. The sides at
+    /// the left and at the right, which are identified, are drawn as on a torus; those below and above are one point each, and
+    /// thick: grey, or black if that point is a vertex. [`Scene::of_globe`] shows the sphere from outside.
+    ///
+    /// Whether coordinates are too near each other, [`Scene::is_collapsed`] tells.
     ///
     /// # Errors
     /// If a coordinate is too large for a double.
     ///
     /// # Complexity
-    /// Linear in the number of points of all edges, and on a torus of the copies that are seen.
+    /// Linear in the number of points of all edges, and on a torus of the copies that are seen; on a sphere, the edges of each face
+    /// that come to a side are sorted.
     pub fn of_arrangement<G: ApproxTraits, T: Topology<G>>(
         arrangement: &Arrangement<G, T>,
         shown: Option<Frame>,
     ) -> Result<Self, RenderError> {
+        if sphere::is_sphere(&arrangement.topology().sides()) {
+            return sphere::unfolded_scene(arrangement, shown);
+        }
         let is_torus = arrangement.topology().genus() > 0;
         let outlines = Outlines::new(arrangement, shown, is_torus)?;
         let components = Components::new(arrangement);
         let view = arrangement.user_view();
-        let vertex_count = arrangement.vertices().count();
-        let (width, size) = if vertex_count > MANY { (0.5, 1.5) } else { (1.25, 5.0) };
+        let look = Look::new(arrangement.vertices().count());
         let dcel = arrangement.dcel();
 
         let mut faces = Layer::new("faces");
@@ -78,8 +91,7 @@ impl Scene {
         let mut edges = Layer::new("edges");
         for e in dcel.edges() {
             for chain in outlines.edge_copies(e) {
-                let style = Style::stroked("edge", Colour::INK, width);
-                edges.push(Item::new(Shape::Polyline(chain), style).with_id(format!("e{}", e.0)))?;
+                edges.push(Item::new(Shape::Polyline(chain), look.edge()).with_id(format!("e{}", e.0)))?;
             }
         }
 
@@ -87,15 +99,10 @@ impl Scene {
         for v in view.vertices() {
             let Some(point) = arrangement.point(v) else { continue };
             let location = arrangement.topology().point_location(arrangement.traits(), point);
-            let style = if dcel.outgoing(v).is_some() {
-                Style::filled("vertex", Colour::INK).with_stroke(Stroke::new(Colour::WHITE, size / 6.0))
-            } else {
-                Style::filled("vertex isolated", Colour::WHITE)
-                    .with_stroke(Stroke::new(Colour::INK, size / 4.0))
-            };
+            let style = look.vertex(dcel.outgoing(v).is_none());
             for at in outlines.copies(arrangement.traits().approx_point(point), location, is_torus) {
-                vertices
-                    .push(Item::new(Shape::disc(at, size), style.clone()).with_id(format!("v{}", v.0)))?;
+                let item = Item::new(Shape::disc(at, look.size), style.clone());
+                vertices.push(item.with_id(format!("v{}", v.0)))?;
             }
         }
 

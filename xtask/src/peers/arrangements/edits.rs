@@ -4,14 +4,14 @@
 
 use arrangement::edit::Observer;
 use arrangement::history::ArrangementWithHistory;
-use arrangement::models::{Segment, SegmentTraits};
-use arrangement::topology::BoundedPlane;
+use arrangement::models::{GeodesicTraits, Segment, SegmentTraits};
+use arrangement::topology::{BoundedPlane, Sphere, Topology};
 use arrangement::traits::{ArrangementTraits, BoundedTraits};
 use arrangement::{Arrangement, Editor};
 use testkit::Rng;
 
 use super::once::{Found, timed};
-use super::ours::{NO_CURVES, found, located, of_segments, segments};
+use super::ours::{NO_CURVES, Surface, arcs, found, located, of_segments, segments};
 use super::task::Curves;
 use crate::Failure;
 
@@ -23,16 +23,26 @@ const SQUARE: i64 = 1_024;
 /// # Errors
 /// If the library refuses the curves.
 pub(super) fn insert(curves: &Curves) -> Result<Found, Failure> {
-    let Curves::Segments(ends) = curves else { return Err(NO_CURVES.into()) };
-    let curves = segments(ends)?;
+    match curves {
+        Curves::Segments(ends) => Ok(insert_on(SegmentTraits, BoundedPlane, &segments(ends)?)),
+        Curves::Arcs(ends) => Ok(insert_on(GeodesicTraits::new(), Sphere, &arcs(ends)?)),
+        _ => Err(NO_CURVES.into()),
+    }
+}
+
+fn insert_on<G: ArrangementTraits, T: Topology<G> + Surface>(
+    traits: G,
+    topology: T,
+    curves: &[G::Curve],
+) -> Found {
     let (editor, seconds) = timed(|| {
-        let mut editor = Editor::new(Arrangement::new(SegmentTraits, BoundedPlane));
-        for curve in &curves {
+        let mut editor = Editor::new(Arrangement::new(traits, topology));
+        for curve in curves {
             editor.insert_curve(curve);
         }
         editor
     });
-    Ok(found(&(editor.finish().0, seconds)))
+    found(&(editor.finish().0, seconds))
 }
 
 /// Aggregated insertion of all curves into an arrangement that is then made ready to be edited.

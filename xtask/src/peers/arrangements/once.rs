@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use serde_json::{Value, json};
 
-use super::task::{Curves, Operand, Operation, Task};
+use super::task::{Operand, Operation, Task};
 use super::{edits, ours, places};
 use crate::bench::peak_kib;
 use crate::{Failure, shell};
@@ -32,14 +32,15 @@ pub(super) struct Located {
     pub(super) vertices: usize,
     pub(super) edges: usize,
     pub(super) faces: usize,
-    /// The numbers of halfedges on the outer boundaries of these faces, added up: right faces, not only cells of the right kind.
+    /// The numbers of halfedges on the outer boundaries of these faces, added up: right faces, not only cells of the right kind. On a
+    /// sphere, on all boundaries, but those that come to a vertex of degree two: programs cut elsewhere.
     pub(super) around: usize,
 }
 
 /// What our own call of an operation gives.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Found {
-    /// Vertices and edges of splits included, as peers count.
+    /// Vertices and edges of splits included, as peers count; on a sphere without, as they cut elsewhere.
     pub(super) counts: Counts,
     /// For location, zones and walls only.
     pub(super) located: Option<Located>,
@@ -57,6 +58,8 @@ pub(crate) struct Measured {
     /// Nothing where there are no faces.
     pub(crate) counts: Option<Counts>,
     pub(super) located: Option<Located>,
+    /// How many of the points of the task the time is for, if it is not for all.
+    pub(super) asked: Option<usize>,
     pub(super) hash: String,
     /// All that it reported.
     pub(super) record: Value,
@@ -96,7 +99,8 @@ impl Measured {
         };
         let (seconds, peak_bytes) = (number("seconds")?, number("peak_bytes")?);
         let hash = record["input_hash"].as_str().ok_or("the driver did not name its input")?.to_owned();
-        Ok(Measured { seconds, peak_bytes, counts, located, hash, record })
+        let asked = count(&record, "asked");
+        Ok(Measured { seconds, peak_bytes, counts, located, asked, hash, record })
     }
 }
 
@@ -160,12 +164,10 @@ fn perform(operation: Operation, operands: &[Operand]) -> Result<Found, Failure>
             edits::zone(&input.curves, &crossing.curves)
         }
         (Operation::Overlay, [red, blue]) => ours::overlay_of(&red.curves, &blue.curves),
-        (Operation::Locate, [input, Operand { curves: Curves::Points(points), .. }]) => {
-            ours::locate(&input.curves, points)
-        }
+        (Operation::Locate, [input, points]) => ours::locate(&input.curves, &points.curves),
         (Operation::Prepare(strategy), [input]) => places::prepare(&input.curves, strategy),
-        (Operation::Ask(strategy, question), [input, Operand { curves: Curves::Points(points), .. }]) => {
-            places::ask(&input.curves, points, strategy, question)
+        (Operation::Ask(strategy, question), [input, points]) => {
+            places::ask(&input.curves, &points.curves, strategy, question)
         }
         (Operation::Decompose, [input]) => places::decompose(&input.curves),
         _ => Err(format!("operands do not fit: {operation}").into()),

@@ -5,16 +5,17 @@
 use arrangement::Arrangement;
 use arrangement::decomposition::{VerticalDecomposition, WallEnd};
 use arrangement::location::{Landmarks, Naive, PointLocation, TrapezoidalMap, VerticalRay, Walk};
-use arrangement::models::SegmentTraits;
+use arrangement::models::{GeodesicTraits, SegmentTraits};
 use arrangement::overlay::Cell;
-use arrangement::topology::{BoundedPlane, Topology};
-use arrangement::traits::{ApproxTraits, UMonotoneTraits};
+use arrangement::topology::{BoundedPlane, Sphere, Topology};
+use arrangement::traits::{ApproxTraits, ArrangementTraits, UMonotoneTraits};
 use arrangement::wrappers::CountingTraits;
-use exact::planar::Point2;
 
 use super::once::{Found, Located, timed};
-use super::ours::{NO_CURVES, found, located, of_segments, segments};
-use super::task::{Curves, Operation, Question, Strategy, Task};
+use super::ours::{
+    NO_CURVES, Surface, arcs, directions, found, located, of_arcs, of_segments, planar_points, segments,
+};
+use super::task::{Curves, Family, Operation, Question, Strategy, Task};
 use crate::Failure;
 
 /// What it costs to find cells one by one.
@@ -32,12 +33,12 @@ pub(crate) struct Search {
 }
 
 /// A strategy that is ready.
-type Ready<G> = Box<dyn PointLocation<G, BoundedPlane>>;
+type Ready<G, T> = Box<dyn PointLocation<G, T>>;
 
-fn ready<G>(strategy: Strategy, arrangement: &Arrangement<G, BoundedPlane>) -> Ready<G>
+fn ready<G, T>(strategy: Strategy, arrangement: &Arrangement<G, T>) -> Ready<G, T>
 where
     G: UMonotoneTraits + ApproxTraits + 'static,
-    BoundedPlane: Topology<G>,
+    T: Topology<G>,
 {
     match strategy {
         Strategy::Naive => Box::new(Naive),
@@ -63,22 +64,37 @@ pub(super) fn prepare(curves: &Curves, strategy: Strategy) -> Result<Found, Fail
 /// If the library refuses the curves.
 pub(super) fn ask(
     curves: &Curves,
-    points: &[[i64; 2]],
+    points: &Curves,
     strategy: Strategy,
     question: Question,
 ) -> Result<Found, Failure> {
-    let arrangement = of_segments(curves)?;
-    let points: Vec<Point2> = points.iter().map(|&point| Point2::from_i64(point)).collect();
-    let ready = ready(strategy, &arrangement);
-    let (cells, seconds) = timed(|| answers(&ready, &arrangement, &points, question));
-    let located = located(&arrangement, &cells);
-    Ok(Found { located: Some(located), seconds, ..found(&(arrangement, seconds)) })
+    if let Curves::Arcs(_) = curves {
+        Ok(ask_in(of_arcs(curves)?, &directions(points)?, strategy, question))
+    } else {
+        Ok(ask_in(of_segments(curves)?, &planar_points(points)?, strategy, question))
+    }
 }
 
-fn answers<G: UMonotoneTraits<Point = Point2>>(
-    ready: &Ready<G>,
-    arrangement: &Arrangement<G, BoundedPlane>,
-    points: &[Point2],
+fn ask_in<G, T>(
+    arrangement: Arrangement<G, T>,
+    points: &[G::Point],
+    strategy: Strategy,
+    question: Question,
+) -> Found
+where
+    G: UMonotoneTraits + ApproxTraits + 'static,
+    T: Topology<G> + Surface,
+{
+    let ready = ready(strategy, &arrangement);
+    let (cells, seconds) = timed(|| answers(&ready, &arrangement, points, question));
+    let located = located(&arrangement, &cells);
+    Found { located: Some(located), seconds, ..found(&(arrangement, seconds)) }
+}
+
+fn answers<G: UMonotoneTraits, T: Topology<G>>(
+    ready: &Ready<G, T>,
+    arrangement: &Arrangement<G, T>,
+    points: &[G::Point],
     question: Question,
 ) -> Vec<Cell> {
     let cells = match question {
@@ -117,7 +133,7 @@ pub(super) fn decompose(curves: &Curves) -> Result<Found, Failure> {
 /// # Errors
 /// If the library refuses the curves, or two strategies give different answers.
 pub(crate) fn searches(
-    family: super::Family,
+    family: Family,
     count: usize,
     strategies: &[Strategy],
 ) -> Result<(usize, Vec<Search>), Failure> {
@@ -125,17 +141,36 @@ pub(crate) fn searches(
         let operation = Operation::Ask(strategy, Question::Cell);
         Task { operation, family, count }.operands()
     };
-    let first = operands(Strategy::Trapezoids);
-    let Curves::Segments(ends) = &first[0].curves else { return Err(NO_CURVES.into()) };
-    let curves = segments(ends)?;
-    let arrangement = Arrangement::of_curves(SegmentTraits, BoundedPlane, &curves);
-    let counted = Arrangement::of_curves(CountingTraits::new(SegmentTraits), BoundedPlane, &curves);
+    match &operands(Strategy::Trapezoids)[0].curves {
+        Curves::Segments(ends) => {
+            let points = |strategy| planar_points(&operands(strategy)[1].curves);
+            searches_on(SegmentTraits, BoundedPlane, &segments(ends)?, strategies, points)
+        }
+        Curves::Arcs(ends) => {
+            let points = |strategy| directions(&operands(strategy)[1].curves);
+            searches_on(GeodesicTraits::new(), Sphere, &arcs(ends)?, strategies, points)
+        }
+        _ => Err(NO_CURVES.into()),
+    }
+}
+
+fn searches_on<G, T>(
+    traits: G,
+    topology: T,
+    curves: &[G::Curve],
+    strategies: &[Strategy],
+    points: impl Fn(Strategy) -> Result<Vec<G::Point>, Failure>,
+) -> Result<(usize, Vec<Search>), Failure>
+where
+    G: ArrangementTraits + ApproxTraits + Clone + 'static,
+    T: Topology<G> + Topology<CountingTraits<G>>,
+{
+    let arrangement = Arrangement::of_curves(traits.clone(), topology.clone(), curves);
+    let counted = Arrangement::of_curves(CountingTraits::new(traits), topology, curves);
     let mut known: Vec<Cell> = Vec::new();
     let mut searches = Vec::new();
     for &strategy in strategies {
-        let operands = operands(strategy);
-        let Curves::Points(points) = &operands[1].curves else { return Err(NO_CURVES.into()) };
-        let points: Vec<Point2> = points.iter().map(|&point| Point2::from_i64(point)).collect();
+        let points = points(strategy)?;
         let (ready_plain, prepare) = timed(|| ready(strategy, &arrangement));
         let run = |_| timed(|| answers(&ready_plain, &arrangement, &points, Question::Cell));
         let mut runs = [0, 1, 2].map(run);

@@ -72,7 +72,7 @@ pub(super) fn plain(task: &Task) -> Option<Task> {
 pub(super) struct Row {
     pub(super) name: &'static str,
     pub(super) task: Task,
-    /// Of the arrangement, edges and vertices of splits included; for location, of the one where points are located.
+    /// Of the arrangement, edges and vertices of splits included, but not on a sphere; for location, of the one where points are located.
     pub(super) counts: Counts,
     /// How many cells curves meet, each as often as it is met.
     pub(super) zone: Option<usize>,
@@ -100,8 +100,12 @@ const fn counts(vertices: usize, edges: usize, faces: usize) -> Counts {
 /// The arrangement of 300 long segments.
 const LONG_300: Counts = counts(11_235, 21_570, 10_340);
 
-/// All rows. The counts are those of CGAL 5.5.1; those of `long1000` were found by brute force, too.
-pub(super) const ROWS: [Row; 26] = [
+/// The arrangement of 300 arcs on the sphere.
+const ARCS_300: Counts = counts(6_145, 11_390, 5_247);
+
+/// All rows. The counts are those of CGAL 5.5.1; those of `long1000` were found by brute force, too. On the sphere they are those of brute
+/// force (a test finds them), without the cuts of CGAL.
+pub(super) const ROWS: [Row; 32] = [
     Row {
         name: "long1000",
         task: task(Operation::Build, Family::Long, 1_000),
@@ -338,5 +342,59 @@ pub(super) const ROWS: [Row; 26] = [
         peers: &[Peer::Cgal],
         requirements: &[times(4.0, Peer::Cgal)],
         microseconds: None,
+    },
+    Row {
+        name: "sphere1000",
+        task: task(Operation::Build, Family::Arcs, 1_000),
+        counts: counts(66_315, 129_630, 63_317),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[times(5.0, Peer::Cgal)],
+        microseconds: None,
+    },
+    Row {
+        name: "sphere3000",
+        task: task(Operation::Build, Family::Arcs, 3_000),
+        counts: counts(574_601, 1_140_202, 565_603),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[times(5.0, Peer::Cgal)],
+        microseconds: None,
+    },
+    Row {
+        name: "sphereoverlay300",
+        task: task(Operation::Overlay, Family::Arcs, 300),
+        counts: counts(23_871, 45_942, 22_073),
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[times(6.0, Peer::Cgal)],
+        microseconds: None,
+    },
+    Row {
+        name: "sphereinsert300",
+        task: task(Operation::Insert, Family::Arcs, 300),
+        counts: ARCS_300,
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[times(50.0, Peer::Cgal)],
+        microseconds: None,
+    },
+    Row {
+        name: "sphereask300",
+        task: task(Operation::Ask(Strategy::Trapezoids, Question::Cell), Family::Arcs, 300),
+        counts: ARCS_300,
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[],
+        microseconds: Some(1.5),
+    },
+    Row {
+        name: "spherelandmarks300",
+        task: task(Operation::Ask(Strategy::Landmarks, Question::Cell), Family::Arcs, 300),
+        counts: ARCS_300,
+        zone: None,
+        peers: &[Peer::Cgal],
+        requirements: &[],
+        microseconds: Some(8.0),
     },
 ];

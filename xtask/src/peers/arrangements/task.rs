@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use testkit::{Drawn, lines, long_segments, polylines, query_points, short_segments};
+use testkit::{
+    Drawn, geodesic_arcs, lines, long_segments, polylines, query_directions, query_points, short_segments,
+};
 
 use crate::Failure;
 
@@ -76,6 +78,8 @@ pub(crate) enum Family {
     Short(u32),
     Lines,
     Polylines,
+    /// Arcs of great circles.
+    Arcs,
 }
 
 /// An operation on so many curves of a family; all seeds are fixed.
@@ -93,7 +97,11 @@ pub(super) enum Curves {
     /// Through two points each.
     Lines(Vec<[i64; 4]>),
     Polylines(Vec<Vec<[i64; 2]>>),
+    /// On a sphere, between two directions each: the shorter way.
+    Arcs(Vec<[i64; 6]>),
     Points(Vec<[i64; 2]>),
+    /// Points of a sphere.
+    Directions(Vec<[i64; 3]>),
 }
 
 /// One input of a task.
@@ -162,6 +170,7 @@ impl std::fmt::Display for Family {
             Family::Short(bits) => write!(f, "s{bits}"),
             Family::Lines => f.write_str("lines"),
             Family::Polylines => f.write_str("polylines"),
+            Family::Arcs => f.write_str("arcs"),
         }
     }
 }
@@ -173,7 +182,14 @@ impl Family {
             Family::Long | Family::Short(_) => "arr_segments",
             Family::Lines => "arr_linear",
             Family::Polylines => "arr_polylines",
+            Family::Arcs => "arr_sphere",
         }
+    }
+
+    /// Whether every program cuts curves elsewhere, where its parameter space ends. Then faces are compared, and how many more edges than
+    /// vertices there are.
+    pub(super) fn is_cut(self) -> bool {
+        self == Family::Arcs
     }
 
     /// So many curves.
@@ -190,8 +206,24 @@ impl Family {
                 let drawn = polylines(count, seed);
                 (Curves::Polylines(drawn.objects), drawn.hash)
             }
+            Family::Arcs => {
+                let drawn = geodesic_arcs(count, seed);
+                (Curves::Arcs(drawn.objects), drawn.hash)
+            }
         };
         Operand { name: format!("{self}_{count}_{seed}"), curves, hash }
+    }
+
+    /// So many points of the surface.
+    fn queries(self, count: usize) -> Operand {
+        let (name, curves, hash) = if self == Family::Arcs {
+            let Drawn { objects, hash } = query_directions(count, QUERY_SEED);
+            ("directions", Curves::Directions(objects), hash)
+        } else {
+            let Drawn { objects, hash } = query_points(count, QUERY_SEED);
+            ("points", Curves::Points(objects), hash)
+        };
+        Operand { name: format!("{name}_{count}_{QUERY_SEED}"), curves, hash }
     }
 }
 
@@ -208,6 +240,7 @@ impl Task {
             "long" => Family::Long,
             "lines" => Family::Lines,
             "polylines" => Family::Polylines,
+            "arcs" => Family::Arcs,
             _ => Family::Short(bits().ok_or_else(|| format!("no such family of curves: {family}"))?),
         };
         Ok(Task { operation, family, count: count.parse()? })
@@ -225,11 +258,7 @@ impl Task {
             Operation::Zone => Some(self.family.operand(CROSSING, SECOND)),
             Operation::ZoneLong => Some(Family::Long.operand(CROSSING, SECOND)),
             Operation::Overlay => Some(self.family.operand(self.count, SECOND)),
-            other => other.queries().map(|count| {
-                let Drawn { objects, hash } = query_points(count, QUERY_SEED);
-                let name = format!("points_{count}_{QUERY_SEED}");
-                Operand { name, curves: Curves::Points(objects), hash }
-            }),
+            other => other.queries().map(|count| self.family.queries(count)),
         };
         [first].into_iter().chain(second).collect()
     }
@@ -252,7 +281,9 @@ impl Curves {
             Curves::Polylines(all) => {
                 all.iter().for_each(|walk| line("polyline", &mut walk.iter().flatten().copied()));
             }
+            Curves::Arcs(all) => all.iter().for_each(|ends| line("arc", &mut ends.iter().copied())),
             Curves::Points(all) => all.iter().for_each(|point| line("point", &mut point.iter().copied())),
+            Curves::Directions(all) => all.iter().for_each(|point| line("point", &mut point.iter().copied())),
         }
         text
     }
@@ -264,7 +295,7 @@ mod tests {
 
     #[test]
     fn words_are_read_back() {
-        let families = [Family::Long, Family::Short(9), Family::Lines, Family::Polylines];
+        let families = [Family::Long, Family::Short(9), Family::Lines, Family::Polylines, Family::Arcs];
         for (_, operation) in WORDS {
             for family in families {
                 let task = Task { operation, family, count: 12 };
@@ -285,7 +316,9 @@ mod tests {
         assert_eq!(Curves::Segments(vec![[1, 2, 3, 4]]).text(), "segment 1 2 3 4\n");
         assert_eq!(Curves::Lines(vec![[1, 2, 3, 4], [-1, 0, 0, 5]]).text(), "line 1 2 3 4\nline -1 0 0 5\n");
         assert_eq!(Curves::Polylines(vec![vec![[1, 2], [3, 4], [5, 6]]]).text(), "polyline 1 2 3 4 5 6\n");
+        assert_eq!(Curves::Arcs(vec![[1, 2, 3, -4, 5, 6]]).text(), "arc 1 2 3 -4 5 6\n");
         assert_eq!(Curves::Points(vec![[7, 8]]).text(), "point 7 8\n");
+        assert_eq!(Curves::Directions(vec![[7, 8, 9]]).text(), "point 7 8 9\n");
     }
 
     #[test]
@@ -295,5 +328,8 @@ mod tests {
         assert_eq!(hashes, [0xa218_6390_7182_c844, 0xe40b_f83e_092e_eed0]);
         let task = Task::parse(["locate", "s15", "1000"]).expect("it is a task");
         assert_eq!(task.operands()[1].hash, 0x19d3_c591_bd35_d28b);
+        let task = Task::parse(["trapezoids", "arcs", "300"]).expect("it is a task");
+        let hashes: Vec<u64> = task.operands().iter().map(|operand| operand.hash).collect();
+        assert_eq!(hashes, [0xd117_972a_a606_757b, 0xfd37_8613_c0c9_dbf2]);
     }
 }

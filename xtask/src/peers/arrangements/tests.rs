@@ -6,7 +6,7 @@ use serde_json::{Value, json};
 use super::once::{Counts, Located, Measured, timed};
 use super::rows::{Peer, ROWS, Row, plain};
 use super::table::{self, Outcome, Run};
-use super::task::Operation;
+use super::task::{Curves, Family, Operation};
 
 /// What a driver prints for that row.
 fn printed(row: &Row, seconds: f64, peak: u64) -> Value {
@@ -112,6 +112,85 @@ fn zones_have_the_known_cells() {
     assert!(outcome(row, record.clone(), record.clone()).troubles.is_empty());
     record["located"] = json!({ "vertices": 0, "edges": 103, "faces": 204, "around": 18 });
     assert_eq!(outcome(row, record.clone(), record).troubles.len(), 2);
+}
+
+#[test]
+fn cuts_of_peers_do_not_count() {
+    let row = row("sphere1000");
+    let ours = printed(row, 1.0, 100);
+    let mut theirs = printed(row, 5.0, 100);
+    theirs["vertices"] = json!(66_596);
+    theirs["edges"] = json!(129_911);
+    assert_eq!(table::failures(&outcome(row, ours.clone(), theirs.clone())), Vec::<String>::new());
+    assert_eq!(outcome(row, theirs.clone(), theirs.clone()).troubles.len(), 1, "ours are not seen");
+    for (key, wrong) in [("vertices", 66_597), ("edges", 129_910), ("faces", 63_316)] {
+        let mut theirs = theirs.clone();
+        theirs[key] = json!(wrong);
+        assert_eq!(outcome(row, ours.clone(), theirs).troubles.len(), 1, "{key}");
+    }
+}
+
+/// The counts of shorter arcs of which no three have a point in common, none ends on another, and all hang together: by looking at all
+/// pairs. Two of them cross where each separates the ends of the other, and on the same half of the sphere.
+fn brute_force(arcs: &[[i64; 6]]) -> Counts {
+    let cross = |a: [i64; 3], b: [i64; 3]| {
+        [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+    };
+    let is_left = |n: [i64; 3], p: [i64; 3]| {
+        let side: i64 = (0..3).map(|i| n[i] * p[i]).sum();
+        assert_ne!(side, 0, "an end is on another circle");
+        side > 0
+    };
+    let arcs = arcs.iter().map(|&[a, b, c, d, e, f]| ([a, b, c], [d, e, f], cross([a, b, c], [d, e, f])));
+    let arcs: Vec<_> = arcs.collect();
+    let mut parents: Vec<usize> = (0..arcs.len()).collect();
+    let root = |parents: &mut Vec<usize>, mut i: usize| {
+        while parents[i] != i {
+            parents[i] = parents[parents[i]];
+            i = parents[i];
+        }
+        i
+    };
+    let (mut crossings, mut components) = (0, arcs.len());
+    for (i, &(p, q, n)) in arcs.iter().enumerate() {
+        for (j, &(r, s, m)) in arcs[..i].iter().enumerate() {
+            let sides = [is_left(n, r), is_left(n, s), is_left(m, p), is_left(m, q)];
+            if sides[0] != sides[1] && sides[2] != sides[3] && sides[0] != sides[2] {
+                crossings += 1;
+                let [a, b] = [i, j].map(|k| root(&mut parents, k));
+                components -= usize::from(a != b);
+                parents[a] = b;
+            }
+        }
+    }
+    let (vertices, edges) = (2 * arcs.len() + crossings, arcs.len() + 2 * crossings);
+    Counts { vertices, edges, faces: edges + 1 + components - vertices }
+}
+
+#[test]
+fn counts_on_the_sphere_are_those_of_brute_force() {
+    for row in ROWS.iter().filter(|row| row.task.family == Family::Arcs) {
+        let operands = row.task.operands().into_iter().filter_map(|operand| match operand.curves {
+            Curves::Arcs(arcs) => Some(arcs),
+            _ => None,
+        });
+        let arcs: Vec<[i64; 6]> = operands.flatten().collect();
+        assert_eq!(brute_force(&arcs), row.counts, "{}", row.name);
+    }
+}
+
+#[test]
+fn a_peer_may_be_asked_about_fewer_points() {
+    let row = row("sphereask300");
+    let mut ours = printed(row, 0.01, 100);
+    ours["located"] = json!({ "vertices": 0, "edges": 0, "faces": 10_000, "around": 60_000 });
+    let mut theirs = ours.clone();
+    theirs["seconds"] = json!(0.5);
+    theirs["asked"] = json!(20);
+    let outcome = outcome(row, ours, theirs);
+    assert_eq!(table::failures(&outcome), Vec::<String>::new());
+    let times = &table::record(&outcome)["microseconds"];
+    assert_eq!(*times, json!({ "a_query": 1.0, "at_most": 1.5, "of_peers": [25_000.0] }));
 }
 
 #[test]

@@ -79,6 +79,7 @@ pub(crate) struct Built<P> {
 impl<'s, P: Clone> Builder<'s, P> {
     /// A builder of an empty surface; `is_artificial_site` tells for each site of the input whether a curve was only cut there.
     pub(crate) fn new<G: BasicTraits<Point = P>, T: Topology<G>>(
+        traits: &G,
         topology: &T,
         is_artificial_site: &'s [bool],
     ) -> Self {
@@ -91,7 +92,8 @@ impl<'s, P: Clone> Builder<'s, P> {
             halfedges: Vec::new(),
             outgoing: vec![HalfedgeId::NONE; special],
             points: vec![None; special],
-            is_artificial: vec![false; special],
+            // As long as nothing is there but cuts.
+            is_artificial: contractions(traits, topology).iter().map(Option::is_some).collect(),
             edge_curves: Vec::new(),
             overlaps: Vec::new(),
             keeps_overlaps: !G::OVERLAPS_ARE_PLAIN,
@@ -195,7 +197,7 @@ impl<'s, P: Clone> Builder<'s, P> {
                 vertex
             }
         };
-        if let Place::Met(_) = place {
+        if let Place::Met(_) | Place::Special(_) = place {
             self.is_artificial[vertex.index()] &= is_artificial;
         }
         let is_special = matches!(place, Place::Special(_));
@@ -326,7 +328,8 @@ impl<'s, P: Clone> Builder<'s, P> {
         // As soon as anything else happens at a cut, it is an ordinary vertex.
         let mut is_artificial = self.is_artificial;
         for (v, is) in is_artificial.iter_mut().enumerate().filter(|(_, is)| **is) {
-            *is = dcel.degree(VertexId::new(v)) == 2;
+            let degree = dcel.degree(VertexId::new(v));
+            *is = degree == 2 || v < special && degree == 0;
         }
         Built {
             dcel,
@@ -341,6 +344,20 @@ impl<'s, P: Clone> Builder<'s, P> {
 /// The number of vertices that stand for sides; they come first.
 pub(crate) fn special_count<G: BasicTraits, T: Topology<G>>(topology: &T) -> usize {
     topology.side_vertices().into_iter().flatten().max().map_or(0, |last| last as usize + 1)
+}
+
+/// For each vertex that stands for a side, the point to which that is contracted.
+pub(crate) fn contractions<G: BasicTraits, T: Topology<G>>(
+    traits: &G,
+    topology: &T,
+) -> Vec<Option<G::Point>> {
+    let mut points = vec![None; special_count(topology)];
+    for (side, v) in topology.side_vertices().into_iter().enumerate() {
+        if let Some(v) = v {
+            points[v as usize] = topology.contraction(traits, side);
+        }
+    }
+    points
 }
 
 fn leaving_right(right: &[Strand<BuildTag>]) -> impl Iterator<Item = HalfedgeId> + '_ {

@@ -12,7 +12,8 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     /// `is_mirrored` says that it turns the orientation round.
     ///
     /// It compares which vertices are where, the order around them, and the faces; the curves of the edges it does not look at.
-    /// A closed curve without a vertex but an artificial one is the same as any such curve between the same faces.
+    /// A closed curve without a vertex but an artificial one is the same as any such curve between the same faces. Where a side is
+    /// contracted, as on a sphere, which CCB of a face is an outer one depends on where that side is, and is not compared.
     ///
     /// # Complexity
     /// O(n log n) comparisons of points for n cells, and for each component, steps in proportion to its size and a degree. Where
@@ -41,6 +42,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
             free: [self.free_loops(&a), other.free_loops(&b)],
             dart_images: vec![NONE; a.darts.len()],
             is_image: vec![false; b.darts.len()],
+            compares_kinds: self.contractions.iter().all(Option::is_none),
             a: &a,
             b: &b,
         };
@@ -64,6 +66,7 @@ struct Search<'s> {
     free: [Vec<bool>; 2],
     dart_images: Vec<u32>,
     is_image: Vec<bool>,
+    compares_kinds: bool,
     faces: FaceMap,
 }
 
@@ -206,7 +209,7 @@ impl Search<'_> {
             };
             if self.is_image[e]
                 || !is_right_vertex
-                || a.is_outer[d] != b.is_outer[e]
+                || self.compares_kinds && a.is_outer[d] != b.is_outer[e]
                 || !self.faces.connect(a.faces[d], b.faces[e])
             {
                 return false;

@@ -8,7 +8,7 @@ use dcel::{CcbKind, FaceId, HalfedgeId, VertexId};
 /// The user's view of an arrangement in numbers.
 #[derive(Clone, Debug)]
 pub(super) struct Skeleton {
-    /// The vertices: those that stand for sides first, then the others in the order of their points.
+    /// The vertices: those at infinity first, then the others in the order of their points.
     pub(super) vertices: Vec<VertexId>,
     /// For each vertex, its first dart; one more at the end.
     pub(super) first_darts: Vec<u32>,
@@ -21,14 +21,15 @@ pub(super) struct Skeleton {
     /// The faces on the left, and whether they are there on an outer CCB.
     pub(super) faces: Vec<FaceId>,
     pub(super) is_outer: Vec<bool>,
-    /// How many vertices stand for sides.
+    /// How many vertices are at infinity.
     pub(super) special_count: usize,
 }
 
 impl Skeleton {
     pub(super) fn new<G: UMonotoneTraits, T: Topology<G>>(arrangement: &Arrangement<G, T>) -> Self {
         let (view, dcel) = (arrangement.user_view(), arrangement.dcel());
-        let mut vertices: Vec<VertexId> = dcel.vertices().filter(|&v| !view.is_hidden(v)).collect();
+        let is_seen = |v: &VertexId| !view.is_hidden(*v) && !arrangement.is_absent(*v);
+        let mut vertices: Vec<VertexId> = dcel.vertices().filter(is_seen).collect();
         vertices.sort_by(|&v, &w| arrangement.compare_vertices(v, w));
         let special_count = vertices.iter().filter(|&&v| arrangement.is_at_infinity(v)).count();
         let (mut first_darts, mut darts, mut sources) = (vec![0], Vec::new(), Vec::new());

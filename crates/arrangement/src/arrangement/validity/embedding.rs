@@ -44,7 +44,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         let flow = sweep(&self.traits, &self.topology, &input, &mut visitor);
         let Checker { met, on_images, corner: first, bottom: last, .. } = visitor;
         for (site, e) in on_images {
-            let is_there = |v: &VertexId| match (self.point(*v), input.site(site as usize).point()) {
+            let is_there = |v: &VertexId| match (self.inner_point(*v), input.site(site as usize).point()) {
                 (Some(p), Some(q)) => self.traits.is_same_point(p, q),
                 _ => false,
             };

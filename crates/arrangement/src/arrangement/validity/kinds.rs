@@ -28,7 +28,7 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
             for h in self.dcel.ccb_cycle(c) {
                 half_turns += i64::from(self.dcel.next(h).is_even() != h.is_even());
                 half_turns -= 2 * i64::from(is_wrap[h.index()]);
-                is_through_side |= self.is_at_infinity(self.dcel.source(h));
+                is_through_side |= self.stands_for_side(self.dcel.source(h));
             }
             if half_turns < 0 && !is_through_side { CcbKind::Inner } else { CcbKind::Outer }
         };

@@ -25,7 +25,7 @@ use std::fmt;
 pub enum Violation {
     /// The cells do not fit together.
     Cells(DcelViolation),
-    /// There are not as many points as vertices, or not as many supports as edges.
+    /// There are not as many points as vertices, or not as many supports as edges, or a vertex is missing that stands for a side.
     Records,
     /// The vertex has no point, and does not stand for a side.
     PointMissing(VertexId),
@@ -34,7 +34,7 @@ pub enum Violation {
     /// The traits know the point of the vertex by other coordinates: see
     /// [`BasicTraits::is_canonical`](crate::traits::BasicTraits::is_canonical).
     NotCanonical(VertexId),
-    /// The vertex is marked as one at which curves were cut, but does not join two edges.
+    /// The vertex is marked as one at which curves were cut, but does not join two edges, nor is it a pole where nothing is.
     Artificial(VertexId),
     /// The edge has a support that is not there.
     Support(EdgeId),
@@ -70,7 +70,10 @@ impl fmt::Display for Violation {
         match self {
             Self::Cells(violation) => violation.fmt(f),
             Self::Records => {
-                write!(f, "there is not one point for each vertex and one support for each edge")
+                write!(
+                    f,
+                    "there is not one point for each vertex, one support for each edge, and a vertex for each side"
+                )
             }
             Self::PointMissing(v) => write!(f, "vertex {} has no point", v.0),
             Self::PointOnSide(v) => write!(f, "vertex {} stands for a side, and has a point", v.0),
@@ -121,7 +124,8 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
             self.dcel.check_euler(genus).into_iter().map(Violation::Cells).collect();
         let are_complete = self.points.len() >= self.dcel.vertex_bound()
             && self.is_artificial.len() >= self.dcel.vertex_bound()
-            && self.supports.len() >= self.dcel.edge_bound();
+            && self.supports.len() >= self.dcel.edge_bound()
+            && (0..special_count(&self.topology)).all(|v| self.dcel.has_vertex(VertexId::new(v)));
         if !are_complete {
             found.push(Violation::Records);
         }
@@ -152,23 +156,29 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     fn check_records(&self, found: &mut Vec<Violation>) {
         let special = special_count(&self.topology);
         for v in self.dcel.vertices() {
-            match (v.index() < special, self.is_at_infinity(v)) {
+            match (v.index() < special, self.stands_for_side(v)) {
                 (true, false) => found.push(Violation::PointOnSide(v)),
                 (false, true) => found.push(Violation::PointMissing(v)),
                 _ => {}
             }
-            if self.point(v).is_some_and(|point| !self.traits.is_canonical(point)) {
+            if self.inner_point(v).is_some_and(|point| !self.traits.is_canonical(point)) {
                 found.push(Violation::NotCanonical(v));
             }
-            if self.is_artificial[v.index()] && self.dcel.degree(v) < 2 {
+            if self.is_artificial[v.index()] && self.dcel.degree(v) < 2 && !self.is_absent(v) {
                 found.push(Violation::Artificial(v));
             }
         }
+        // Each curve is asked once: a chain of many pieces may have many edges.
+        let mut is_own = vec![None; self.curves.len()];
         for e in self.dcel.edges() {
-            match self.curves.get(self.supports[e.index()] as usize) {
+            let support = self.supports[e.index()] as usize;
+            match self.curves.get(support) {
                 None => found.push(Violation::Support(e)),
-                Some(curve) if !self.traits.is_own_curve(curve) => found.push(Violation::ForeignSupport(e)),
-                Some(_) => {}
+                Some(curve) => {
+                    if !*is_own[support].get_or_insert_with(|| self.traits.is_own_curve(curve)) {
+                        found.push(Violation::ForeignSupport(e));
+                    }
+                }
             }
         }
     }
@@ -214,9 +224,9 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
         let curve = self.curve_of(e);
         let end_point = self.traits.end_point(curve, end);
         let location = |end| self.topology.end_location(&self.traits, curve, end);
-        let Some(point) = self.point(v) else {
-            let is_contracted = self.topology.sides().is_contracted(location(end));
-            return is_contracted || end_point.is_none() && !location(end).is_interior();
+        let Some(point) = self.inner_point(v) else {
+            // There may be several: the poles of a sphere.
+            return crate::zone::side_vertex(self, location(end)) == Some(v);
         };
         if end_point.is_some_and(|end_point| self.traits.is_same_point(end_point, point)) {
             return true;

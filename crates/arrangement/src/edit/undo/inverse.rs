@@ -107,7 +107,7 @@ impl<G: BasicTraits, T: Topology<G>> Before<'_, G, T> {
             }
             Edit::SetSupport { e, .. } => known(self.support(e)),
             Edit::SetPoint { v, .. } => {
-                let point = self.arrangement.point(v);
+                let point = self.arrangement.inner_point(v);
                 let edit = point.map(|point| Edit::SetPoint { v, point: point.clone() });
                 Pending::Known(edit.map(Inverse::Edit).into_iter().collect())
             }
@@ -121,7 +121,8 @@ impl<G: BasicTraits, T: Topology<G>> Before<'_, G, T> {
 
     /// A vertex without edges, to come again where it was.
     fn revived(&self, v: VertexId) -> Inverse<G::Point, G::UMonotoneCurve> {
-        let point = self.arrangement.point(v).expect("only a vertex that is a point is removed").clone();
+        let point =
+            self.arrangement.inner_point(v).expect("only a vertex that is a point is removed").clone();
         let is_artificial = self.arrangement.is_artificial[v.index()];
         Inverse::Edit(match self.dcel.isolated_face(v) {
             Some(face) => Edit::AddIsolatedVertex { point, is_artificial, face },

@@ -146,7 +146,7 @@ impl Landmarks {
         arrangement: &Arrangement<G, T>,
     ) -> Vec<([f64; 2], Start)> {
         let traits = arrangement.traits();
-        let points = arrangement.vertices().filter_map(|v| arrangement.point(v));
+        let points = arrangement.vertices().filter_map(|v| arrangement.inner_point(v));
         let places = points.map(|point| traits.approx_point(point));
         let finite = places.filter(|place| place.iter().all(|value| value.is_finite()));
         let Some([low, high]) = finite.map(|place| [place; 2]).reduce(|[low, high], [place, _]| {
@@ -189,7 +189,7 @@ impl Landmarks {
 /// All vertices that are points, each at the first of its sites: where its point is.
 fn vertices<G: ApproxTraits, T: Topology<G>>(ground: &Ground, arrangement: &Arrangement<G, T>) -> Index {
     Index::new(arrangement.vertices().filter_map(|v| {
-        let point = arrangement.point(v)?;
+        let point = arrangement.inner_point(v)?;
         let site = ground.decomposition.sites_of(v).next()?;
         Some((arrangement.traits().approx_point(point), Start::Site(site)))
     }))
@@ -199,6 +199,10 @@ impl<G: ApproxTraits, T: Topology<G>> PointLocation<G, T> for Landmarks {
     fn locate(&self, arrangement: &Arrangement<G, T>, point: &G::Point) -> Result<Cell, Stale> {
         Stale::check(self.stamp(), arrangement.stamp())?;
         let decomposition = &self.ground.decomposition;
+        let place = Site::of_point(arrangement.topology(), arrangement.traits(), point);
+        if let Some(cell) = arrangement.cell_at_contraction(place.location) {
+            return Ok(cell);
+        }
         match self.find(arrangement, point).2 {
             Spot::Site(site) => Ok(Cell::Vertex(decomposition.vertex(site))),
             Spot::Edge(e, _) => Ok(Cell::Edge(e)),
@@ -213,6 +217,10 @@ impl<G: ApproxTraits, T: Topology<G>> PointLocation<G, T> for Landmarks {
         ray: VerticalRay,
     ) -> Result<Cell, Stale> {
         Stale::check(self.stamp(), arrangement.stamp())?;
+        let place = Site::of_point(arrangement.topology(), arrangement.traits(), point);
+        if let Some(cell) = arrangement.cell_at_contraction(place.location) {
+            return Ok(cell);
+        }
         let (place, _, spot) = self.find(arrangement, point);
         Shot { ground: &self.ground, arrangement, place, ray }.meets(spot)
     }

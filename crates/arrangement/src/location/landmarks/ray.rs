@@ -97,14 +97,14 @@ impl<G: BasicTraits, T: Topology<G>> Shot<'_, G, T> {
         };
         match wall.filter(|&site| self.compare_u(site).is_eq()) {
             // In an open corner of the left side curves end at which the ray never arrives.
-            Some(site) if self.is_at_infinity(site) => None,
+            Some(site) if self.is_on_open_side(site) => None,
             Some(site) => Some(Cell::Vertex(self.ground.decomposition.vertex(site))),
             None => edge.map(Cell::Edge),
         }
     }
 
     /// Whether a site is on an open side.
-    fn is_at_infinity(&self, site: SiteId) -> bool {
+    fn is_on_open_side(&self, site: SiteId) -> bool {
         let sides = self.arrangement.topology().sides();
         let is_open = |along, kinds: [SideKind; 2]| match along {
             Along::Low => kinds[0] == SideKind::Open,
@@ -151,10 +151,10 @@ impl<G: BasicTraits, T: Topology<G>> Shot<'_, G, T> {
         }
     }
 
-    /// The vertex to which the side is contracted, if curves end there.
+    /// The vertex to which the side is contracted, if something is there.
     fn pole(&self) -> Option<VertexId> {
         let v = VertexId(self.arrangement.topology().side_vertices()[2 + self.side()]?);
-        (self.arrangement.dcel().degree(v) > 0).then_some(v)
+        self.arrangement.is_at_contraction(v).then_some(v)
     }
 
     /// The trapezoid into which the ray runs where it goes on at the opposite side, or what it meets there.

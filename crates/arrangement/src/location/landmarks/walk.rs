@@ -57,7 +57,7 @@ impl Ground {
         let (mut keys, mut heights) = (Vec::new(), Vec::new());
         for site in decomposition.sites() {
             let location = decomposition.location(site);
-            let point = arrangement.point(decomposition.vertex(site));
+            let point = arrangement.inner_point(decomposition.vertex(site));
             keys.push(point.filter(|_| location.is_interior()).map_or(0, |point| traits.order_key(point)));
             heights.push(match (location.v, point) {
                 (Along::Low, _) => f64::NEG_INFINITY,
@@ -76,7 +76,7 @@ impl Ground {
         site: SiteId,
     ) -> Site<'a, G> {
         let location = self.decomposition.location(site);
-        let at = arrangement.point(self.decomposition.vertex(site)).map_or_else(
+        let at = arrangement.inner_point(self.decomposition.vertex(site)).map_or_else(
             || {
                 let (e, end) = self.edge_at_end(site);
                 SiteAt::End(arrangement.curve_of(e), end)

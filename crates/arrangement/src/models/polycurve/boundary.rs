@@ -47,8 +47,26 @@ impl<S: PieceTraits + NearBottomTopTraits> NearBottomTopTraits for PolycurveTrai
 
 impl<S: PieceTraits + OpenLeftRightTraits> OpenLeftRightTraits for PolycurveTraits<S> {}
 impl<S: PieceTraits + OpenBottomTopTraits> OpenBottomTopTraits for PolycurveTraits<S> {}
-impl<S: PieceTraits + ContractedLeftRightTraits> ContractedLeftRightTraits for PolycurveTraits<S> {}
-impl<S: PieceTraits + ContractedBottomTopTraits> ContractedBottomTopTraits for PolycurveTraits<S> {}
+
+impl<S: PieceTraits + ContractedLeftRightTraits> ContractedLeftRightTraits for PolycurveTraits<S> {
+    fn contraction_left_right(&self, side: CurveEnd) -> Self::Point {
+        self.pieces.contraction_left_right(side)
+    }
+
+    fn contracted_left_right(&self, p: &Self::Point) -> Option<CurveEnd> {
+        self.pieces.contracted_left_right(p)
+    }
+}
+
+impl<S: PieceTraits + ContractedBottomTopTraits> ContractedBottomTopTraits for PolycurveTraits<S> {
+    fn contraction_bottom_top(&self, side: CurveEnd) -> Self::Point {
+        self.pieces.contraction_bottom_top(side)
+    }
+
+    fn contracted_bottom_top(&self, p: &Self::Point) -> Option<CurveEnd> {
+        self.pieces.contracted_bottom_top(p)
+    }
+}
 
 impl<S: PieceTraits + IdentifiedLeftRightTraits> IdentifiedLeftRightTraits for PolycurveTraits<S> {
     fn is_on_left_right(&self, p: &Self::Point) -> bool {

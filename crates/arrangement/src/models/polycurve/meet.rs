@@ -233,22 +233,33 @@ impl<S: PieceTraits> PolycurveTraits<S> {
         if !self.pieces.is_vertical(piece) {
             return !self.pieces.is_in_u_range(joint, piece);
         }
-        let end = CurveEnd::BOTH.into_iter().find_map(|end| self.pieces.end_point(piece, end));
-        end.is_some_and(|end| self.pieces.compare_u(joint, end).is_gt())
+        let order =
+            CurveEnd::BOTH.into_iter().find_map(|end| self.pieces.compare_u_to_end(joint, piece, end));
+        order.is_some_and(Ordering::is_gt)
     }
 
     /// The pieces of two chains where the later of them begins, which became neighbours there or before any of their joints.
     ///
     /// It may begin on the bottom or the top, and the other far to the left: pieces further left have another order, or none.
     fn first_pieces(&self, a: &Chain<S::UMonotoneCurve>, b: &Chain<S::UMonotoneCurve>) -> [usize; 2] {
-        let [p, q] = [a, b].map(|chain| self.end_point(chain, CurveEnd::Min));
+        let first_piece =
+            |chain, other: &Chain<_>| self.find(chain, |joint| self.is_passed_at_start(joint, other));
+        [first_piece(a, b), first_piece(b, a)]
+    }
+
+    /// Tells whether a chain begins behind a joint of another one, or there.
+    fn is_passed_at_start(&self, joint: &S::Point, chain: &Chain<S::UMonotoneCurve>) -> bool {
+        let first = chain.end_piece(CurveEnd::Min);
+        let by_u = self.pieces.compare_u_to_end(joint, first, CurveEnd::Min);
         // A point on the bottom is before all joints with its u, so that the other chain is taken up a piece too early rather
         // than too late; so is one on the top, if both are identified.
-        let is_passed = |joint: &S::Point, start: &S::Point| self.pieces.compare_uv(joint, start).is_le();
-        let first_piece = |chain, start: Option<&S::Point>| {
-            start.map_or(0, |start| self.find(chain, |joint| is_passed(joint, start)))
-        };
-        [first_piece(a, q), first_piece(b, p)]
+        by_u.is_some_and(|by_u| {
+            by_u.is_lt()
+                || by_u.is_eq()
+                    && self
+                        .inner_end(chain, CurveEnd::Min)
+                        .is_some_and(|start| self.pieces.compare_uv(joint, start).is_le())
+        })
     }
 
     /// Adds to what two chains have in common the points on sides, where chains end. One is in several places of the parameter

@@ -34,6 +34,19 @@ pub trait PieceTraits: UMonotoneTraits {
         false
     }
 
+    /// Compares the u-coordinate of a point in the interior with that of an end of a curve; `None` if that end has no point.
+    ///
+    /// The provided version compares with the point of the end. A model with a contracted side has to override it: the point of an end there does not
+    /// tell its u-coordinate.
+    fn compare_u_to_end(
+        &self,
+        p: &Self::Point,
+        curve: &Self::UMonotoneCurve,
+        end: CurveEnd,
+    ) -> Option<Ordering> {
+        self.end_point(curve, end).map(|end| self.compare_u(p, end))
+    }
+
     /// Tells whether a curve runs to the right, if it has a direction. Only where its ends do not tell which way a polycurve runs
     /// through it does the direction matter, as for a curve whose ends are one point.
     #[inline]

@@ -3,45 +3,44 @@
 use super::curves::malformed;
 use super::model::CellNumbers;
 use super::numbers::Numbers;
+use super::special::Special;
 use crate::base::error::Located;
 use dcel::{CcbId, CcbKind, FaceId, Halfedge, HalfedgeId, RawCcb, RawDcel, VertexId};
-use exact::planar::Point2;
 
-/// The cells of a file. Where there is a vertex at infinity, it is the first one.
+/// The cells of a file, without the points of vertices.
 #[derive(Debug)]
 pub(super) struct Cells {
-    /// 1 if there is a vertex at infinity.
-    special: usize,
+    pub(super) special: Special,
     pub(super) vertices: Numbers,
     pub(super) edges: Numbers,
     pub(super) faces: Numbers,
-    pub(super) points: Vec<Option<Point2>>,
     pub(super) is_artificial: Vec<bool>,
     pub(super) supports: Vec<u32>,
     pub(super) halfedges: Vec<Halfedge>,
     ccbs: Vec<RawCcb>,
     ccb_lines: Vec<u32>,
-    isolated: Vec<(VertexId, FaceId)>,
+    pub(super) isolated: Vec<(VertexId, FaceId)>,
     isolated_lines: Vec<u32>,
 }
 
 /// In growing lists, as an arrangement, and while that is checked.
-pub(super) const OF_VERTEX: u64 = 2 * size_of::<Option<Point2>>() as u64 + 250;
+pub(super) const fn of_vertex<P>() -> u64 {
+    2 * size_of::<Option<P>>() as u64 + 250
+}
 pub(super) const OF_EDGE: u64 = 500;
 pub(super) const OF_CCB: u64 = 100;
 pub(super) const OF_FACE: u64 = 50;
 pub(super) const OF_ISOLATED: u64 = 250;
 
 impl Cells {
-    pub(super) fn new(has_infinity: bool) -> Self {
-        let special = usize::from(has_infinity);
+    pub(super) fn new(special: Special) -> Self {
         Self {
             special,
             vertices: Numbers::default(),
             edges: Numbers::default(),
             faces: Numbers::default(),
-            points: vec![None; special],
-            is_artificial: vec![false; special],
+            // A pole at which nothing is.
+            is_artificial: vec![!special.is_infinity(); special.count()],
             supports: Vec::new(),
             halfedges: Vec::new(),
             ccbs: Vec::new(),
@@ -51,27 +50,22 @@ impl Cells {
         }
     }
 
-    /// Whether there is a vertex at infinity.
-    pub(super) fn has_infinity(&self) -> bool {
-        self.special > 0
-    }
-
     /// The vertex with the number that digits say.
     pub(super) fn vertex(&self, digits: &[u8]) -> Option<VertexId> {
-        self.vertices.find(digits).map(|index| VertexId(index + self.special as u32))
+        self.vertices.find(digits).map(|record| self.special.vertex(record as usize))
     }
 
     /// A vertex as messages name it.
     pub(super) fn vertex_name(&self, v: VertexId) -> String {
-        match v.index().checked_sub(self.special) {
-            Some(index) => format!("vertex {}", self.vertices.id(index)),
-            None => "infinity".into(),
+        match self.special.record(v) {
+            Some(record) => format!("vertex {}", self.vertices.id(record)),
+            None => self.special.name(v).into(),
         }
     }
 
-    /// The line of a vertex; `None` if it is infinity.
+    /// The line of a vertex; `None` if it has no record.
     pub(super) fn vertex_line(&self, v: VertexId) -> Option<u32> {
-        v.index().checked_sub(self.special).map(|index| self.vertices.line(index))
+        self.special.record(v).map(|record| self.vertices.line(record))
     }
 
     pub(super) fn halfedge_name(&self, h: HalfedgeId) -> String {
@@ -86,9 +80,29 @@ impl Cells {
         self.ccbs[c.index()].kind
     }
 
-    pub(super) fn push_vertex(&mut self, point: Point2, is_artificial: bool) {
-        self.points.push(Some(point));
-        self.is_artificial.push(is_artificial);
+    pub(super) fn ccb_face(&self, c: CcbId) -> FaceId {
+        self.ccbs[c.index()].face
+    }
+
+    /// Adds a vertex whose number is declared: the one that stands for a side, or another one.
+    pub(super) fn push_vertex(
+        &mut self,
+        special: Option<VertexId>,
+        is_artificial: bool,
+        line: u32,
+    ) -> Result<(), Located> {
+        let Some(v) = special else {
+            self.is_artificial.push(is_artificial);
+            return Ok(());
+        };
+        if self.special.record(v).is_some() {
+            let why =
+                format!("{} is {} already; remove one of the two", self.vertex_name(v), self.special.name(v));
+            return Err(malformed(line, why));
+        }
+        self.special.declare(v, self.vertices.len() - 1);
+        self.is_artificial[v.index()] = is_artificial;
+        Ok(())
     }
 
     /// Adds an edge whose number is declared.
@@ -154,16 +168,21 @@ impl Cells {
         FaceId::new(self.faces.len() - 1)
     }
 
-    /// Puts the cells together, if nothing is missing.
-    pub(super) fn raw_dcel(&mut self, end: u32) -> Result<RawDcel, Located> {
+    /// Puts the cells together, if nothing is missing. A vertex that stands for a side and has no record is in the face that is given for
+    /// it.
+    pub(super) fn raw_dcel(
+        &mut self,
+        end: u32,
+        face_around: impl Fn(&Self, VertexId) -> FaceId,
+    ) -> Result<RawDcel, Located> {
         if self.faces.len() == 0 {
             return Err(malformed(
                 end,
                 "the file has no face; add one: also the surface without curves is a face".into(),
             ));
         }
-        let mut outgoing = vec![HalfedgeId::NONE; self.points.len()];
-        let mut degrees = vec![0_u32; self.points.len()];
+        let mut outgoing = vec![HalfedgeId::NONE; self.is_artificial.len()];
+        let mut degrees = vec![0_u32; self.is_artificial.len()];
         for h in (0..self.halfedges.len()).map(HalfedgeId::new) {
             if self.halfedges[h.index()].ccb == CcbId::NONE {
                 let why = format!(
@@ -179,17 +198,22 @@ impl Cells {
         self.check_isolated(&outgoing)?;
         self.check_faces()?;
         for (index, &degree) in degrees.iter().enumerate() {
-            if self.is_artificial[index] && degree != 2 {
-                let v = VertexId::new(index);
+            let v = VertexId::new(index);
+            if self.is_artificial[index]
+                && degree != 2
+                && let Some(line) = self.vertex_line(v)
+            {
                 let why =
                     format!("{} joins {degree} edges and not 2; remove `artificial`", self.vertex_name(v));
-                return Err(malformed(self.vertex_line(v).unwrap_or(end), why));
+                return Err(malformed(line, why));
             }
         }
+        let special = (0..self.special.count()).map(VertexId::new);
+        let absent =
+            special.filter(|&v| outgoing[v.index()] == HalfedgeId::NONE && self.special.record(v).is_none());
+        let absent: Vec<_> = absent.map(|v| (v, face_around(self, v))).collect();
         let mut isolated = std::mem::take(&mut self.isolated);
-        if self.has_infinity() && outgoing[0] == HalfedgeId::NONE {
-            isolated.push((VertexId(0), FaceId(0)));
-        }
+        isolated.extend(absent);
         Ok(RawDcel {
             halfedges: std::mem::take(&mut self.halfedges),
             outgoing,
@@ -202,13 +226,18 @@ impl Cells {
 
     /// The numbers that the file has for its cells.
     pub(super) fn into_numbers(self) -> CellNumbers {
-        let [vertices, edges, faces] = [self.vertices, self.edges, self.faces].map(Numbers::into_ids);
-        CellNumbers { special: self.special, vertices, edges, faces }
+        let records = (0..self.special.count()).map(|v| self.special.record(VertexId::new(v)));
+        let special: Vec<_> = records.map(|record| record.map(|record| self.vertices.id(record))).collect();
+        let [mut vertices, edges, faces] = [self.vertices, self.edges, self.faces].map(Numbers::into_ids);
+        if special.iter().any(Option::is_some) {
+            vertices.retain(|&number| !special.contains(&Some(number)));
+        }
+        CellNumbers { special, vertices, edges, faces }
     }
 
     /// A vertex has edges, or stands in one face.
     fn check_isolated(&self, outgoing: &[HalfedgeId]) -> Result<(), Located> {
-        let mut is_isolated = vec![false; self.points.len()];
+        let mut is_isolated = vec![false; self.is_artificial.len()];
         for (&(v, _), &line) in self.isolated.iter().zip(&self.isolated_lines) {
             let name = self.vertex_name(v);
             if outgoing[v.index()] != HalfedgeId::NONE {
@@ -221,14 +250,17 @@ impl Cells {
                 ));
             }
         }
-        for index in self.special..self.points.len() {
-            if outgoing[index] == HalfedgeId::NONE && !is_isolated[index] {
-                let v = VertexId::new(index);
+        for index in 0..self.is_artificial.len() {
+            let v = VertexId::new(index);
+            if outgoing[index] == HalfedgeId::NONE
+                && !is_isolated[index]
+                && let Some(line) = self.vertex_line(v)
+            {
                 let why = format!(
                     "{} has no edge; add `isolated` to the face in which it lies",
                     self.vertex_name(v)
                 );
-                return Err(malformed(self.vertex_line(v).expect("not at infinity"), why));
+                return Err(malformed(line, why));
             }
         }
         Ok(())

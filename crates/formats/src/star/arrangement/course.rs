@@ -3,66 +3,81 @@
 //! So what stands in a text depends on the cells alone. Which of several curves that overlap an edge has as its support, where a curve
 //! ends in the middle of another one, and whether a line was given as a whole or in parts, does not show.
 
-use super::family::{Family, Straight};
+use super::family::{Base, Family};
 use arrangement::Arrangement;
 use arrangement::traits::CurveEnd;
 use dcel::{EdgeId, VertexId};
-use exact::planar::{Line2, Point2, compare_xy};
 use std::collections::HashMap;
 use std::iter::successors;
 
-/// The number of the piece of a curve that comes to a point from the left (`Max`), or leaves it to the right (`Min`). The point is on
-/// the curve, and not an end of it on a side of the rectangle.
-pub(super) fn piece_beside<S: Straight>(pieces: &[S], p: &Point2, end: CurveEnd) -> usize {
-    let ends_before = |piece: &S| {
-        let order = piece.place(CurveEnd::Max).map(|max| compare_xy(max, p));
+/// The number of the piece of a curve that comes to a point from the left (`Max`), or leaves it to the right (`Min`), and whether that
+/// point is this end of the curve. The point is on the curve.
+pub(super) fn piece_at<B: Base>(
+    base: &B,
+    pieces: &[B::UMonotoneCurve],
+    p: &B::Point,
+    end: CurveEnd,
+) -> (usize, bool) {
+    let last = last_piece(pieces, end);
+    // The end may be on another side of the parameter space.
+    if base.end_point(&pieces[last], end) == Some(p) {
+        return (last, true);
+    }
+    let ends_before = |piece: &B::UMonotoneCurve| {
+        let order = B::place(piece, CurveEnd::Max).map(|joint| base.compare_uv(joint, p));
         order.is_some_and(|order| order.is_lt() || (order.is_eq() && end == CurveEnd::Min))
     };
-    pieces.partition_point(ends_before).min(pieces.len() - 1)
+    (pieces[..pieces.len() - 1].partition_point(ends_before), false)
+}
+
+/// The number of the piece with an end of a curve.
+fn last_piece<C>(pieces: &[C], end: CurveEnd) -> usize {
+    match end {
+        CurveEnd::Min => 0,
+        CurveEnd::Max => pieces.len() - 1,
+    }
 }
 
 /// An end of an edge.
-struct End<'a> {
+struct End<'a, B: Base> {
     /// The piece of the support.
     piece: usize,
-    line: &'a Line2,
-    /// Where it is, in the closed rectangle of a torus; `None` at infinity.
-    place: Option<&'a Point2>,
+    line: &'a B::Line,
+    /// Where it is: see [`Base::place`].
+    place: Option<&'a B::Point>,
+    /// See [`Base::goes_on`].
+    goes_on: bool,
 }
 
-fn end_of<G: Family>(
+fn end_of<B: Base, G: Family<B>>(
     arrangement: &Arrangement<G, G::Surface>,
     e: EdgeId,
     v: VertexId,
     end: CurveEnd,
-) -> End<'_> {
-    let support = arrangement.curve(arrangement.support(e));
-    let pieces = G::pieces(support);
-    let last = match end {
-        CurveEnd::Min => 0,
-        CurveEnd::Max => pieces.len() - 1,
-    };
+) -> End<'_, B> {
+    let base = arrangement.traits().base();
+    let pieces = G::pieces(arrangement.curve(arrangement.support(e)));
     let point = arrangement.point(v);
-    let (piece, place) = match point {
-        // The curve may end on the other side of the rectangle.
-        Some(point) if arrangement.traits().end_point(support, end) != Some(point) => {
-            (piece_beside(pieces, point, end), Some(point))
-        }
-        _ => (last, pieces[last].place(end)),
+    let at_infinity = (last_piece(pieces, end), true);
+    let (piece, is_end) = point.map_or(at_infinity, |point| piece_at(base, pieces, point, end));
+    let curve = &pieces[piece];
+    let (place, goes_on) = match is_end {
+        true => (B::place(curve, end), base.goes_on(curve, end)),
+        false => (point, true),
     };
-    End { piece, line: pieces[piece].line(), place }
+    End { piece, line: B::line(curve), place, goes_on }
 }
 
 /// What a text says of a curve.
-pub(super) struct Course<'a> {
+pub(super) struct Course<'a, B: Base> {
     /// The vertex where it begins.
-    pub(super) start: Option<&'a Point2>,
-    /// Its ends, in the closed rectangle of a torus; `None` at infinity.
-    pub(super) places: [Option<&'a Point2>; 2],
-    /// The points between them where its direction changes.
-    pub(super) bends: Vec<&'a Point2>,
-    /// Its first and its last line.
-    pub(super) lines: [&'a Line2; 2],
+    pub(super) start: Option<&'a B::Point>,
+    /// Its ends: see [`Base::place`].
+    pub(super) places: [Option<&'a B::Point>; 2],
+    /// Its first line.
+    pub(super) line: &'a B::Line,
+    /// The points between its ends where its direction changes, and the lines that begin there.
+    pub(super) bends: Vec<(&'a B::Point, &'a B::Line)>,
 }
 
 /// Which edges go straight on in which.
@@ -75,7 +90,10 @@ pub(super) struct Links {
 impl Links {
     /// # Complexity
     /// Linear, with a hash of lines at vertices of many edges.
-    pub(super) fn new<G: Family>(arrangement: &Arrangement<G, G::Surface>, vertices: &[VertexId]) -> Self {
+    pub(super) fn new<B: Base, G: Family<B>>(
+        arrangement: &Arrangement<G, G::Surface>,
+        vertices: &[VertexId],
+    ) -> Self {
         /// So many pairs are compared without a hash.
         const FEW_PAIRS: usize = 64;
         let dcel = arrangement.dcel();
@@ -91,8 +109,7 @@ impl Links {
                     false => (CurveEnd::Max, &mut coming),
                 };
                 let found = end_of(arrangement, h.edge_id(), v, end);
-                // What ends on the right or the upper side is not continued on the other.
-                if found.place == arrangement.point(v) {
+                if found.goes_on {
                     list.push((found.line, h.edge_id()));
                 }
             }
@@ -102,7 +119,7 @@ impl Links {
                     on.into_iter().for_each(|&(_, on)| links.join(*e, on));
                 }
             } else {
-                let leaving: HashMap<&Line2, EdgeId> = leaving.iter().copied().collect();
+                let leaving: HashMap<&B::Line, EdgeId> = leaving.iter().copied().collect();
                 for (line, e) in &coming {
                     leaving.get(line).into_iter().for_each(|&on| links.join(*e, on));
                 }
@@ -125,11 +142,11 @@ impl Links {
 }
 
 /// The curve that joined edges make up.
-pub(super) fn course_of<G: Family>(
+pub(super) fn course_of<B: Base, G: Family<B>>(
     arrangement: &Arrangement<G, G::Surface>,
     run: impl Iterator<Item = EdgeId>,
-) -> Option<Course<'_>> {
-    let mut course: Option<Course<'_>> = None;
+) -> Option<Course<'_, B>> {
+    let mut course: Option<Course<'_, B>> = None;
     for e in run {
         let [v, w] = arrangement.dcel().ends(e);
         let [min, max] =
@@ -137,14 +154,15 @@ pub(super) fn course_of<G: Family>(
         let course = course.get_or_insert_with(|| Course {
             start: arrangement.point(v),
             places: [min.place, max.place],
+            line: min.line,
             bends: Vec::new(),
-            lines: [min.line, max.line],
         });
         let pieces = &G::pieces(arrangement.curve(arrangement.support(e)))[min.piece..=max.piece];
-        let bends = pieces.windows(2).filter(|pair| pair[0].line() != pair[1].line());
-        course.bends.extend(bends.filter_map(|pair| pair[1].place(CurveEnd::Min)));
+        let bends = pieces.windows(2).filter(|pair| B::line(&pair[0]) != B::line(&pair[1]));
+        let bends =
+            bends.filter_map(|pair| B::place(&pair[1], CurveEnd::Min).map(|bend| (bend, B::line(&pair[1]))));
+        course.bends.extend(bends);
         course.places[1] = max.place;
-        course.lines[1] = max.line;
     }
     course
 }

@@ -1,70 +1,66 @@
 //! An arrangement of what was read, or what is wrong with it.
 
+use super::around::Around;
 use super::cells::Cells;
-use super::course::piece_beside;
-use super::curves::{Curves, List, malformed};
-use super::family::{Family, Straight};
+use super::course::piece_at;
+use super::curves::{List, malformed};
+use super::family::{Base, Family};
 use super::model::StarArrangement;
 use super::numbers::Numbers;
 use crate::base::error::Located;
-use arrangement::models::LinearTraits;
 use arrangement::models::polycurve::PolycurveTraits;
-use arrangement::topology::{FlatTorus, UnboundedPlane};
 use arrangement::traits::CurveEnd;
 use arrangement::{Arrangement, Parts, Violation};
-use dcel::{CcbKind, Dcel, DcelViolation, FaceId, VertexId};
-use exact::planar::{Line2, Point2};
-use std::mem::take;
+use dcel::{CcbKind, Dcel, DcelViolation, FaceId, HalfedgeId, VertexId};
+use std::mem::{replace, take};
 
-/// Puts curves and cells together. `end` is the line where the file ends.
-pub(super) fn finish(
-    curves: Curves,
+/// Puts curves, points and cells together. `end` is the line where the file ends.
+pub(super) fn finish<B: Base>(
+    base: B,
+    curves: List<B::UMonotoneCurve>,
     numbers: &Numbers,
+    points: Vec<Option<B::Point>>,
     cells: &mut Cells,
     end: u32,
 ) -> Result<StarArrangement, Located> {
     match curves {
-        Curves::Plane(List::Single(curves)) => {
-            arrangement_of(LinearTraits, UnboundedPlane, curves, numbers, cells, end)
-                .map(StarArrangement::Linear)
+        List::Single(curves) => {
+            arrangement_of::<B, B>(base, curves, numbers, points, cells, end).map(B::of_single)
         }
-        Curves::Plane(List::Chains(curves)) => {
-            let traits = PolycurveTraits::new(LinearTraits);
-            arrangement_of(traits, UnboundedPlane, curves, numbers, cells, end)
-                .map(StarArrangement::Polycurves)
-        }
-        Curves::Torus(traits, List::Single(curves)) => {
-            arrangement_of(traits, FlatTorus, curves, numbers, cells, end).map(StarArrangement::Torus)
-        }
-        Curves::Torus(traits, List::Chains(curves)) => {
-            let traits = PolycurveTraits::new(traits);
-            arrangement_of(traits, FlatTorus, curves, numbers, cells, end)
-                .map(StarArrangement::TorusPolycurves)
+        List::Chains(curves) => {
+            let traits = PolycurveTraits::new(base);
+            arrangement_of::<B, _>(traits, curves, numbers, points, cells, end).map(B::of_chains)
         }
     }
 }
 
-fn arrangement_of<G: Family>(
+fn arrangement_of<B: Base, G: Family<B>>(
     traits: G,
-    topology: G::Surface,
     curves: Vec<G::UMonotoneCurve>,
     numbers: &Numbers,
+    mut points: Vec<Option<B::Point>>,
     cells: &mut Cells,
     end: u32,
 ) -> Result<Arrangement<G, G::Surface>, Located> {
-    define_points::<G>(&curves, cells);
-    let raw = cells.raw_dcel(end)?;
+    define_points::<B, G>(traits.base(), &curves, &mut points, cells);
+    let face_around = |cells: &Cells, v: VertexId| {
+        let pieces = |edge: usize| G::pieces(&curves[cells.supports[edge] as usize]);
+        traits.base().face_around(v, &Around { points: &points, cells, pieces: &pieces })
+    };
+    let raw = cells.raw_dcel(end, face_around)?;
+    // An arrangement knows the poles.
+    points[..cells.special.count()].fill(None);
     let parts = Parts {
         dcel: Dcel::from_parts(raw),
-        points: take(&mut cells.points),
+        points,
         is_artificial: take(&mut cells.is_artificial),
         curves,
         supports: cells.supports.clone(),
         // The text begins with it.
         corner_face: FaceId(0),
     };
-    Arrangement::from_parts(traits, topology, parts).map_err(|violations| {
-        let said = violations.first().map(|violation| sentence(violation, cells, numbers));
+    Arrangement::from_parts(traits, G::Surface::default(), parts).map_err(|violations| {
+        let said = violations.first().map(|violation| sentence::<B>(violation, cells, numbers));
         let (line, why) = said.unwrap_or_else(|| (None, "the cells contradict the curves".into()));
         malformed(line.unwrap_or(end), why)
     })
@@ -72,32 +68,38 @@ fn arrangement_of<G: Family>(
 
 /// Lets vertices be ends of curves or crossings of two, where they are: these have the degree that they had at first, and coordinates
 /// have a higher one.
-fn define_points<G: Family>(curves: &[G::UMonotoneCurve], cells: &mut Cells) {
+fn define_points<B: Base, G: Family<B>>(
+    base: &B,
+    curves: &[G::UMonotoneCurve],
+    points: &mut [Option<B::Point>],
+    cells: &Cells,
+) {
     /// What is known of a vertex.
-    #[derive(Clone, Copy)]
-    enum Known<'a> {
+    enum Known<'a, L> {
         Nothing,
-        Line(&'a Line2),
+        Line(&'a L),
         Done,
     }
-    let mut known = vec![Known::Nothing; cells.points.len()];
+    let mut known: Vec<Known<'_, B::Line>> = points.iter().map(|_| Known::Nothing).collect();
     for (index, halfedge) in cells.halfedges.iter().enumerate() {
         let v = halfedge.source.index();
-        let Some(point) = &mut cells.points[v] else { continue };
+        let Some(point) = &mut points[v] else { continue };
+        let end = if HalfedgeId::new(index).is_even() { CurveEnd::Min } else { CurveEnd::Max };
         let pieces = G::pieces(&curves[cells.supports[index / 2] as usize]);
-        let piece = &pieces[piece_beside(pieces, point, CurveEnd::Max)];
-        let line = piece.line();
-        let mut ends = CurveEnd::BOTH.into_iter().filter_map(|end| piece.point(end));
-        if let Some(end) = ends.find(|&end| end == point) {
+        let (piece, is_end) = piece_at(base, pieces, point, end);
+        let piece = &pieces[piece];
+        let line = B::line(piece);
+        // A joint of a chain is an end of pieces.
+        let known_end = base.end_point(piece, end).filter(|&end| is_end || pieces.len() > 1 && end == point);
+        if let Some(end) = known_end {
             *point = end.clone();
             known[v] = Known::Done;
             continue;
         }
-        known[v] = match known[v] {
+        known[v] = match replace(&mut known[v], Known::Nothing) {
             Known::Nothing => Known::Line(line),
             Known::Line(other) if other != line => {
-                let crossing = Point2::crossing(other, line).filter(|crossing| crossing == point);
-                if let Some(crossing) = crossing {
+                if let Some(crossing) = B::crossing([other, line], point) {
                     *point = crossing;
                 }
                 Known::Done
@@ -108,7 +110,7 @@ fn define_points<G: Family>(curves: &[G::UMonotoneCurve], cells: &mut Cells) {
 }
 
 /// Says what is wrong in numbers of the file, and in which line; `None` if in none.
-fn sentence(violation: &Violation, cells: &Cells, numbers: &Numbers) -> (Option<u32>, String) {
+fn sentence<B: Base>(violation: &Violation, cells: &Cells, numbers: &Numbers) -> (Option<u32>, String) {
     let vertex = |v: VertexId| cells.vertex_name(v);
     let edge = |e: dcel::EdgeId| cells.edges.id(e.index());
     let edge_line = |e: dcel::EdgeId| Some(cells.edges.line(e.index()));
@@ -158,7 +160,7 @@ fn sentence(violation: &Violation, cells: &Cells, numbers: &Numbers) -> (Option<
             (cells.vertex_line(v), why)
         }
         Violation::CornerFace(f) => {
-            let why = format!("face {} is not the one at the lower left; write that first", face(f));
+            let why = format!("face {} is not the one {}; write that first", face(f), B::CORNER);
             (Some(cells.faces.line(f.index())), why)
         }
         Violation::Cells(DcelViolation::VertexCycle(v)) => {

@@ -4,14 +4,18 @@
 //! |---|---|
 //! | `model` | the arrangements that a file can say |
 //! | `family` | what differs from one family of curves to the other |
+//! | `plane`, `torus`, `sphere` | the curves of each surface, written and read |
+//! | `special` | vertices that stand for sides of the parameter space |
 //! | `course` | what the text has as one curve |
 //! | `write` | the one text of an arrangement |
 //! | `read` | the door, and the grammar of records |
 //! | `numbers` | numbers that are declared, and their lines |
-//! | `curves` | the records of curves |
+//! | `curves` | curves as they are read, and the numbers in their records |
 //! | `cells` | vertices, edges and boundaries, and whether they fit together |
+//! | `around` | what is around a vertex, before it is known to be right |
 //! | `finish` | an arrangement of them, or what is wrong with it, in numbers of the file |
 
+mod around;
 mod cells;
 mod course;
 mod curves;
@@ -19,13 +23,17 @@ mod family;
 mod finish;
 mod model;
 mod numbers;
+mod plane;
 mod read;
+mod special;
+mod sphere;
+mod torus;
 mod write;
 
 pub use family::StarText;
 pub use model::{
-    CellNumbers, LinearArrangement, PolycurveArrangement, StarArrangement, TorusArrangement,
-    TorusPolycurveArrangement,
+    CellNumbers, LinearArrangement, PolycurveArrangement, SphereArrangement, SpherePolycurveArrangement,
+    StarArrangement, TorusArrangement, TorusPolycurveArrangement,
 };
 pub use read::{read_arrangement, read_numbered_arrangement};
 pub use write::write_arrangement;

@@ -1,8 +1,8 @@
 //! The arrangements that a file can say.
 
 use arrangement::models::polycurve::PolycurveTraits;
-use arrangement::models::{LinearTraits, TorusSegmentTraits};
-use arrangement::topology::{FlatTorus, UnboundedPlane};
+use arrangement::models::{GeodesicTraits, LinearTraits, TorusSegmentTraits};
+use arrangement::topology::{FlatTorus, Sphere, UnboundedPlane};
 use arrangement::{Arrangement, Counts};
 use dcel::{EdgeId, FaceId, VertexId};
 
@@ -16,6 +16,12 @@ pub type TorusArrangement = Arrangement<TorusSegmentTraits, FlatTorus>;
 /// An arrangement of chains of straight paths on a flat torus.
 pub type TorusPolycurveArrangement = Arrangement<PolycurveTraits<TorusSegmentTraits>, FlatTorus>;
 
+/// An arrangement of geodesic arcs on the sphere.
+pub type SphereArrangement = Arrangement<GeodesicTraits, Sphere>;
+
+/// An arrangement of chains of geodesic arcs on the sphere.
+pub type SpherePolycurveArrangement = Arrangement<PolycurveTraits<GeodesicTraits>, Sphere>;
+
 /// An arrangement of any family of curves that a star file can hold.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
@@ -28,26 +34,34 @@ pub enum StarArrangement {
     Torus(TorusArrangement),
     /// Chains of straight paths on a flat torus.
     TorusPolycurves(TorusPolycurveArrangement),
+    /// Geodesic arcs on the sphere.
+    Sphere(SphereArrangement),
+    /// Chains of geodesic arcs on the sphere.
+    SpherePolycurves(SpherePolycurveArrangement),
 }
 
-/// The numbers that a file has for the cells of the arrangement that was read from it. They ascend with the ids, and may leave some
-/// out.
+/// The numbers that a file has for the cells of the arrangement that was read from it. They ascend with the ids, but for those of
+/// vertices that stand for sides, and may leave some out.
 #[derive(Clone, Debug)]
 pub struct CellNumbers {
-    /// 1 if there is a vertex at infinity, which is the first one and has no number.
-    pub(super) special: usize,
+    /// Those of the vertices that stand for sides, which come first: none for infinity, nor for a pole at which nothing is.
+    pub(super) special: Vec<Option<u32>>,
+    /// Those of the other vertices.
     pub(super) vertices: Vec<u32>,
     pub(super) edges: Vec<u32>,
     pub(super) faces: Vec<u32>,
 }
 
 impl CellNumbers {
-    /// The number of a vertex; `None` at infinity.
+    /// The number of a vertex; `None` at infinity, and for a pole at which nothing is.
     ///
     /// # Panics
     /// If the arrangement, as it was read, has no such vertex.
     pub fn vertex(&self, v: VertexId) -> Option<u32> {
-        Some(self.vertices[v.index().checked_sub(self.special)?])
+        match v.index().checked_sub(self.special.len()) {
+            Some(index) => Some(self.vertices[index]),
+            None => self.special[v.index()],
+        }
     }
 
     /// The number of an edge.
@@ -75,6 +89,8 @@ impl StarArrangement {
             Self::Polycurves(arrangement) => arrangement.counts(),
             Self::Torus(arrangement) => arrangement.counts(),
             Self::TorusPolycurves(arrangement) => arrangement.counts(),
+            Self::Sphere(arrangement) => arrangement.counts(),
+            Self::SpherePolycurves(arrangement) => arrangement.counts(),
         }
     }
 
@@ -85,6 +101,8 @@ impl StarArrangement {
             Self::Polycurves(arrangement) => arrangement.counts_with_splits(),
             Self::Torus(arrangement) => arrangement.counts_with_splits(),
             Self::TorusPolycurves(arrangement) => arrangement.counts_with_splits(),
+            Self::Sphere(arrangement) => arrangement.counts_with_splits(),
+            Self::SpherePolycurves(arrangement) => arrangement.counts_with_splits(),
         }
     }
 }
@@ -110,5 +128,17 @@ impl From<TorusArrangement> for StarArrangement {
 impl From<TorusPolycurveArrangement> for StarArrangement {
     fn from(arrangement: TorusPolycurveArrangement) -> Self {
         Self::TorusPolycurves(arrangement)
+    }
+}
+
+impl From<SphereArrangement> for StarArrangement {
+    fn from(arrangement: SphereArrangement) -> Self {
+        Self::Sphere(arrangement)
+    }
+}
+
+impl From<SpherePolycurveArrangement> for StarArrangement {
+    fn from(arrangement: SpherePolycurveArrangement) -> Self {
+        Self::SpherePolycurves(arrangement)
     }
 }

@@ -1,7 +1,8 @@
 //! The door, and the grammar of records.
 
 use super::cells::{self, Cells};
-use super::curves::{Curves, make_point, malformed, read_pair, read_torus_point};
+use super::curves::{List, malformed};
+use super::family::Base;
 use super::finish::finish;
 use super::model::{CellNumbers, StarArrangement};
 use super::numbers::{Numbers, OF_NUMBER};
@@ -13,6 +14,7 @@ use crate::format::{Content, Encoding, Format};
 use crate::gzip;
 use crate::star::first::{StarKind, read_first_line};
 use crate::star::line::{Line, Lines};
+use arrangement::models::{GeodesicTraits, LinearTraits, TorusSegmentTraits};
 use dcel::{CcbKind, HalfedgeId, VertexId};
 
 /// Reads an arrangement from a file of the native format, kind `arrangement`: see `docs/star.md`. Gzip may be around it.
@@ -133,12 +135,37 @@ fn read_text(bytes: &[u8], budget: &mut Budget) -> Result<(StarArrangement, Cell
         return Err(Fault::Truncated { expected: "`surface` was expected".into() }.at(lines.last()));
     };
     if word.bytes != b"surface" {
-        return Err(word.unexpected("the second line `surface plane` or `surface torus P Q`"));
+        return Err(
+            word.unexpected("the second line `surface plane`, `surface torus P Q` or `surface sphere DX DY`")
+        );
     }
-    let curves = Curves::of_surface(&mut line, budget)?;
-    let has_infinity = curves.traits_of_torus().is_none();
-    let cells = Cells::new(has_infinity);
-    let mut reader = Reader { budget, curve_numbers: Numbers::default(), curves, cells, cycle: Vec::new() };
+    const SURFACE: &str = "`plane`, `torus` or `sphere`";
+    let name = line.expect(SURFACE)?;
+    match name.bytes {
+        b"plane" => read_records::<LinearTraits>(line, lines, budget),
+        b"torus" => read_records::<TorusSegmentTraits>(line, lines, budget),
+        b"sphere" => read_records::<GeodesicTraits>(line, lines, budget),
+        _ => Err(name.unexpected(SURFACE)),
+    }
+}
+
+/// Reads what follows the name of the surface.
+fn read_records<B: Base>(
+    mut line: Line<'_>,
+    mut lines: Lines<'_>,
+    budget: &mut Budget,
+) -> Result<(StarArrangement, CellNumbers), Located> {
+    let base = B::read_surface(&mut line, budget)?;
+    line.end()?;
+    let mut reader = Reader {
+        budget,
+        base,
+        curve_numbers: Numbers::default(),
+        curves: List::Single(Vec::new()),
+        cells: Cells::new(B::SPECIAL),
+        points: vec![None; B::SPECIAL.count()],
+        cycle: Vec::new(),
+    };
     let end = loop {
         let Some((word, mut line)) = lines.next_record() else {
             return Err(Fault::Truncated { expected: RECORD.into() }.at(lines.last()));
@@ -152,21 +179,24 @@ fn read_text(bytes: &[u8], budget: &mut Budget) -> Result<(StarArrangement, Cell
     if let Some((word, _)) = lines.next_record() {
         return Err(word.fault(|token| Fault::AfterEnd { token, end: "the arrangement".into() }));
     }
-    let Reader { curves, curve_numbers, mut cells, .. } = reader;
-    let arrangement = finish(curves, &curve_numbers, &mut cells, end)?;
+    let Reader { base, curves, curve_numbers, points, mut cells, .. } = reader;
+    let arrangement = finish(base, curves, &curve_numbers, points, &mut cells, end)?;
     Ok((arrangement, cells.into_numbers()))
 }
 
-struct Reader<'b> {
+struct Reader<'b, B: Base> {
     budget: &'b mut Budget,
+    base: B,
     curve_numbers: Numbers,
-    curves: Curves,
+    curves: List<B::UMonotoneCurve>,
     cells: Cells,
+    /// The points of the vertices.
+    points: Vec<Option<B::Point>>,
     /// The boundary that is being read.
     cycle: Vec<HalfedgeId>,
 }
 
-impl Reader<'_> {
+impl<B: Base> Reader<'_, B> {
     fn record(&mut self, keyword: Token<'_>, line: &mut Line<'_>) -> Result<(), Located> {
         match keyword.bytes {
             b"curve" => self.curve(line),
@@ -190,29 +220,32 @@ impl Reader<'_> {
     fn curve(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
         self.charge(OF_NUMBER, line)?;
         self.curve_numbers.declare(line.expect("the number of the curve")?, "curve")?;
-        self.curves.read(line, self.budget)
+        let pieces = self.base.read_pieces(line, self.budget)?;
+        self.curves.push(&self.base, pieces, line.number, self.budget)
     }
 
     fn vertex(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
-        self.charge(OF_NUMBER + cells::OF_VERTEX, line)?;
+        self.charge(OF_NUMBER + cells::of_vertex::<B::Point>(), line)?;
         self.cells.vertices.declare(line.expect("the number of the vertex")?, "vertex")?;
-        let point = match self.curves.traits_of_torus() {
-            Some(traits) => read_torus_point(traits, line, self.budget)?,
-            None => make_point(read_pair(line, self.budget, "one of two coordinates")?),
-        };
+        let point = self.base.read_point(line, self.budget)?;
         let is_artificial = match line.word() {
             None => false,
             Some(word) if word.bytes == b"artificial" => true,
             Some(word) => return Err(word.unexpected("`artificial` or the end of the line")),
         };
         line.end()?;
-        self.cells.push_vertex(point, is_artificial);
+        let special = self.base.special_of(&point);
+        self.cells.push_vertex(special, is_artificial, line.number)?;
+        match special {
+            Some(v) => self.points[v.index()] = Some(point),
+            None => self.points.push(Some(point)),
+        }
         Ok(())
     }
 
     fn edge(&mut self, line: &mut Line<'_>) -> Result<(), Located> {
         const CURVE: &str = "the number of a curve declared above";
-        self.charge(OF_NUMBER + cells::OF_EDGE + self.curves.bytes_of_part(), line)?;
+        self.charge(OF_NUMBER + cells::OF_EDGE + self.curves.bytes_of_part::<B>(), line)?;
         self.cells.edges.declare(line.expect("the number of the edge")?, "edge")?;
         let ends = [self.end(line)?, self.end(line)?];
         let word = line.expect("`curve`")?;
@@ -228,7 +261,7 @@ impl Reader<'_> {
 
     /// An end of an edge.
     fn end(&self, line: &mut Line<'_>) -> Result<VertexId, Located> {
-        let has_infinity = self.cells.has_infinity();
+        let has_infinity = self.cells.special.is_infinity();
         let expected =
             if has_infinity { "the number of a vertex declared above, or `infinity`," } else { VERTEX };
         let token = line.expect(expected)?;

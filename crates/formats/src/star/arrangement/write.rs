@@ -1,7 +1,7 @@
 //! An arrangement, written: one text for each.
 
 use super::course::{Links, course_of};
-use super::family::{Family, StarText, put_point};
+use super::family::{Base, Family, StarText};
 use crate::base::numerals::put;
 use arrangement::{Arrangement, CellOrder};
 use dcel::{CcbKind, HalfedgeId};
@@ -34,11 +34,11 @@ pub fn write_arrangement(arrangement: &impl StarText) -> Vec<u8> {
     arrangement.star_text()
 }
 
-pub(super) fn text<G: Family>(arrangement: &Arrangement<G, G::Surface>) -> Vec<u8> {
+pub(super) fn text<B: Base, G: Family<B>>(arrangement: &Arrangement<G, G::Surface>) -> Vec<u8> {
     let dcel = arrangement.dcel();
     let CellOrder { vertices, edges, ccbs, faces } = arrangement.cell_order();
     let mut text = b"star 1 arrangement\n".to_vec();
-    arrangement.traits().put_surface(&mut text);
+    arrangement.traits().base().put_surface(&mut text);
 
     // Curves in the order of their first edges.
     const NEW: u32 = u32::MAX;
@@ -52,7 +52,7 @@ pub(super) fn text<G: Family>(arrangement: &Arrangement<G, G::Surface>) -> Vec<u
         links.run(e).for_each(|e| curve_numbers[e.index()] = curve_count);
         let course = course_of(arrangement, links.run(e)).expect("a curve has an edge");
         put(&mut text, format_args!("curve {curve_count} "));
-        G::put_course(&course, &mut text);
+        B::put_course(&course, &mut text);
         text.push(b'\n');
         curve_count += 1;
     }
@@ -62,7 +62,7 @@ pub(super) fn text<G: Family>(arrangement: &Arrangement<G, G::Surface>) -> Vec<u
     for (number, &v) in (0..).zip(&vertices) {
         vertex_numbers[v.index()] = number;
         put(&mut text, format_args!("vertex {number}"));
-        put_point(arrangement.point(v).expect("vertices in order have points"), &mut text);
+        B::put_point(arrangement.point(v).expect("vertices in order have points"), &mut text);
         text.extend_from_slice(if arrangement.is_artificial(v) { b" artificial\n" } else { b"\n" });
     }
 
@@ -71,7 +71,10 @@ pub(super) fn text<G: Family>(arrangement: &Arrangement<G, G::Surface>) -> Vec<u
         edge_numbers[e.index()] = number;
         put(&mut text, format_args!("edge {number}"));
         for v in dcel.ends(e) {
-            put_end(vertex_numbers[v.index()], arrangement.is_at_infinity(v), &mut text);
+            match vertex_numbers[v.index()] {
+                NEW => text.extend_from_slice(b" infinity"),
+                number => put(&mut text, format_args!(" {number}")),
+            }
         }
         put(&mut text, format_args!(" curve {}\n", curve_numbers[e.index()]));
     }
@@ -93,18 +96,12 @@ pub(super) fn text<G: Family>(arrangement: &Arrangement<G, G::Surface>) -> Vec<u
                 text.push(b'\n');
             }
         }
-        let isolated = dcel.isolated_vertices(face).filter(|&v| !arrangement.is_at_infinity(v));
-        let mut isolated: Vec<u32> = isolated.map(|v| vertex_numbers[v.index()]).collect();
+        let isolated = dcel.isolated_vertices(face).map(|v| vertex_numbers[v.index()]);
+        // Infinity has no number, nor has a pole at which nothing is.
+        let mut isolated: Vec<u32> = isolated.filter(|&number| number != NEW).collect();
         isolated.sort_unstable();
         isolated.iter().for_each(|number| put(&mut text, format_args!("isolated {number}\n")));
     }
     text.extend_from_slice(b"end\n");
     text
-}
-
-fn put_end(number: u32, is_at_infinity: bool, text: &mut Vec<u8>) {
-    match is_at_infinity {
-        true => text.extend_from_slice(b" infinity"),
-        false => put(text, format_args!(" {number}")),
-    }
 }

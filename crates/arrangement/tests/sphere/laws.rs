@@ -1,0 +1,208 @@
+//! What turns and mirrors the sphere, or moves the identification, changes nothing.
+
+use crate::arcs::{Curve, mapped};
+use crate::families::{Row, rows};
+use crate::graph::Graph;
+use crate::matching::Matching;
+use crate::own::{Globe, direction, sweep, sweep_with, traits_of};
+use crate::planar;
+use crate::random::random_curves;
+use crate::space::{Matrix, at, image, is_pole, matrix, random_rotation, rotation};
+use exact::spherical::Direction;
+use splitstar_arrangement::models::GeodesicTraits;
+use splitstar_arrangement::overlay::overlay_all;
+use std::collections::BTreeMap;
+use testkit::Rng;
+
+/// Families by their names: the same at several places is one.
+fn families(rows: Vec<Row>) -> BTreeMap<String, Vec<Vec<Curve>>> {
+    let mut families: BTreeMap<String, Vec<Vec<Curve>>> = BTreeMap::new();
+    for row in rows {
+        families.entry(row.name).or_default().push(row.curves);
+    }
+    families
+}
+
+fn point_reflection() -> Matrix {
+    matrix([[-1, 0, 0], [0, -1, 0], [0, 0, -1]])
+}
+
+/// Checks that the image is the arrangement of the images.
+fn assert_image(globe: &Globe, other: &Globe, map: &Matrix, is_mirrored: bool, context: &str) {
+    assert_eq!(other.check_valid(), [], "{context}");
+    assert_eq!(globe.counts(), other.counts(), "{context}");
+    let of_point = |p: &Direction| direction(&image(map, &p.coordinates()));
+    assert!(globe.is_isomorphic_under(other, of_point, is_mirrored), "{context}");
+}
+
+/// Two hundred rotations for each family, and each of its members has some of them.
+fn turn(families: &BTreeMap<String, Vec<Vec<Curve>>>, count: usize, seed: u64) {
+    let mut rng = Rng::new(seed);
+    for (name, members) in families {
+        let rounds = count.div_ceil(members.len());
+        for curves in members {
+            let globe = sweep(curves);
+            for _ in 0..rounds {
+                let context = format!("{name}, seed {}: {curves:?}", rng.state());
+                // Once in eight times, so that no coordinate fits a machine word.
+                let range = if rng.one_in(8) { 1 << 30 } else { 4 };
+                let map = random_rotation(&mut rng, range);
+                assert_image(&globe, &sweep(&mapped(curves, &map)), &map, false, &context);
+            }
+        }
+    }
+}
+
+#[test]
+fn families_of_the_sphere_turned() {
+    turn(&families(rows()), 200, 1);
+}
+
+#[test]
+fn families_of_the_plane_turned() {
+    let rows = planar::all_rows().into_iter().map(|mut row| {
+        // At all placements it is one family.
+        row.name = row.name.split(", from").next().unwrap_or_default().to_owned();
+        row
+    });
+    turn(&families(rows.collect()), 200, 2);
+}
+
+/// Where the identification may be, and through vertices if there are some.
+fn identifications(curves: &[Curve], count: usize, rng: &mut Rng) -> Vec<GeodesicTraits> {
+    let through = Graph::new(curves).vertices.into_iter().filter(|p| !is_pole(p));
+    let mut through: Vec<[exact::Integer; 2]> = through.map(|[x, y, _]| [x, y]).collect();
+    rng.shuffle(&mut through);
+    through.truncate(count / 2);
+    const FIXED: [[i64; 2]; 12] = [
+        [1, 0],
+        [0, 1],
+        [0, -1],
+        [1, 1],
+        [-1, 1],
+        [-1, -1],
+        [1, -1],
+        [2, 1],
+        [-3, 1],
+        [-1000, 1],
+        [-1000, -1],
+        [1 << 40, 1],
+    ];
+    let through = through.into_iter().map(|d| GeodesicTraits::with_identification(d).expect("no pole"));
+    let mut all: Vec<GeodesicTraits> = through.chain(FIXED.map(traits_of)).collect();
+    while all.len() < count {
+        let d = [rng.within(20), rng.within(20)];
+        if d != [0, 0] {
+            all.push(traits_of(d));
+        }
+    }
+    all
+}
+
+/// The arrangement with the identification at other places.
+fn move_identification(families: &BTreeMap<String, Vec<Vec<Curve>>>, count: usize, seed: u64) {
+    let mut rng = Rng::new(seed);
+    for (name, members) in families {
+        let rounds = count.div_ceil(members.len());
+        for curves in members {
+            let (graph, globe) = (Graph::new(curves), sweep(curves));
+            let mut all = identifications(curves, rounds.max(12), &mut rng);
+            rng.shuffle(&mut all);
+            for traits in all.into_iter().take(rounds) {
+                let context = format!("{name}, {:?}: {curves:?}", traits.identification());
+                let other = sweep_with(&traits, curves);
+                assert_eq!(other.check_valid(), [], "{context}");
+                Matching::new(&graph, &other, &context);
+                assert!(globe.is_isomorphic_under(&other, Direction::clone, false), "{context}");
+            }
+        }
+    }
+}
+
+#[test]
+fn families_with_the_identification_elsewhere() {
+    move_identification(&families(rows()), 20, 3);
+    move_identification(&families(planar::all_rows()), 20, 4);
+}
+
+#[test]
+fn families_mirrored_in_the_middle() {
+    for row in rows() {
+        let map = point_reflection();
+        let other = sweep(&mapped(&row.curves, &map));
+        assert_image(&sweep(&row.curves), &other, &map, true, &format!("{}: {:?}", row.name, row.curves));
+    }
+}
+
+/// An overlay is the arrangement of all curves.
+fn check_overlay(parts: &[&[Curve]], context: &str) {
+    let operands: Vec<Globe> = parts.iter().map(|part| sweep(part)).collect();
+    let all: Vec<Curve> = parts.concat();
+    let (overlay, _) = overlay_all(&operands.iter().collect::<Vec<_>>());
+    assert_eq!(overlay.check_valid(), [], "{context}");
+    assert_eq!(overlay.difference(&sweep(&all)), None, "{context}");
+    Matching::new(&Graph::new(&all), &overlay, context);
+}
+
+#[test]
+fn overlays_with_images() {
+    let mut rng = Rng::new(5);
+    for row in rows() {
+        let context = format!("{}, seed {}: {:?}", row.name, rng.state(), row.curves);
+        let curves = &row.curves[..];
+        let globe = sweep(curves);
+        let twice = overlay_all(&[&globe, &globe]).0;
+        assert_eq!(twice.difference(&globe), None, "{context}");
+        check_overlay(&[curves, &mapped(curves, &point_reflection())], &format!("mirrored, {context}"));
+        let turned = [2, 3].map(|range| mapped(curves, &random_rotation(&mut rng, range)));
+        if curves.len() < 14 {
+            check_overlay(&[curves, &turned[0]], &format!("turned, {context}"));
+        }
+        if curves.len() < 6 {
+            check_overlay(&[curves, &turned[0], &turned[1]], &format!("turned twice, {context}"));
+        }
+        if curves.len() < 3 {
+            let half = rotation([0, 0, 0, 1]);
+            let four = [&turned[0][..], curves, &turned[1], &mapped(curves, &half)];
+            check_overlay(&four, &format!("overlay of four, {context}"));
+        }
+    }
+}
+
+/// The known rotations of the cube bring its mirrors to themselves.
+#[test]
+fn mirrors_of_the_cube_turned_by_its_rotations() {
+    let row = rows().into_iter().find(|row| row.name == "mirrors of the cube").expect("there is the row");
+    let globe = sweep(&row.curves);
+    for quaternion in [[1, 1, 0, 0], [1, 1, 1, 1], [0, 1, 1, 0], [1, 0, 0, 1], [0, 0, 0, 1]] {
+        let map = rotation(quaternion);
+        let other = sweep(&mapped(&row.curves, &map));
+        assert_eq!(other.difference(&globe), None, "{quaternion:?}");
+        assert_image(&globe, &globe, &map, false, &format!("{quaternion:?}"));
+    }
+}
+
+#[test]
+fn random_curves_turned_mirrored_and_cut_elsewhere() {
+    let mut rng = Rng::new(6);
+    for case in 0..150 {
+        let seed = rng.state();
+        let curves = random_curves(&mut rng, 2 + case % 8, 2);
+        let context = format!("seed {seed}: {curves:?}");
+        let globe = sweep(&curves);
+        for range in [1, 3, 1 << 28] {
+            let map = random_rotation(&mut rng, range);
+            assert_image(&globe, &sweep(&mapped(&curves, &map)), &map, false, &context);
+        }
+        let map = point_reflection();
+        assert_image(&globe, &sweep(&mapped(&curves, &map)), &map, true, &context);
+        for traits in identifications(&curves, 6, &mut rng) {
+            let other = sweep_with(&traits, &curves);
+            let context = format!("{:?}, {context}", traits.identification());
+            assert_eq!(other.check_valid(), [], "{context}");
+            Matching::new(&Graph::new(&curves), &other, &context);
+            assert!(globe.is_isomorphic_under(&other, Direction::clone, false), "{context}");
+        }
+    }
+    assert_eq!(image(&point_reflection(), &at([1, 2, 3])), at([-1, -2, -3]));
+}
