@@ -1,4 +1,5 @@
-//! Floats: parameters of points, points along arcs, and points near parameters.
+//! Floats: parameters of points, points along arcs, and points near parameters. Pictures are made of them, and places from where to start;
+//! nothing is decided by them. How far apart the points of a picture are is a matter of looks.
 
 use super::{GeodesicArc, GeodesicTraits};
 use crate::traits::{Along, ApproxTraits, CurveEnd, LandmarkTraits};
