@@ -1,0 +1,1 @@
+//! Planar arrangements on the six sides of a cube, stitched to one map of all directions.

@@ -1,0 +1,1 @@
+//! Proximity of polytopes: relation, separation distance and penetration depth, exactly.
