@@ -4,7 +4,7 @@ mod check;
 mod names;
 
 use check::check;
-pub(crate) use names::{CellEncoding, CellFormat, Ray, Strategy, Surface, View};
+pub(crate) use names::{CellEncoding, CellFormat, Method, Ray, Strategy, Surface, View};
 
 use crate::failure::Failure;
 use lexopt::Arg;
@@ -55,6 +55,8 @@ pub(crate) struct Run {
     pub(crate) strategy: Option<Strategy>,
     /// What is asked: what a ray meets, and not where a point lies.
     pub(crate) ray: Option<Ray>,
+    /// The map on the sides of a cube, and not the one on the sphere.
+    pub(crate) cubical: bool,
 }
 
 /// A file, or a standard stream.
@@ -72,13 +74,7 @@ pub(crate) enum Verb {
     Convert,
     Arrange,
     Locate,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub(crate) enum Method {
-    #[default]
-    Overlay,
-    Hull,
+    Gauss,
 }
 
 /// The parts of a motion, in the order in which they are applied.
@@ -97,8 +93,8 @@ pub(crate) enum Rotation {
 }
 
 impl Verb {
-    pub(crate) const ALL: [Self; 6] =
-        [Self::Sum, Self::Hull, Self::Info, Self::Convert, Self::Arrange, Self::Locate];
+    pub(crate) const ALL: [Self; 7] =
+        [Self::Sum, Self::Hull, Self::Info, Self::Convert, Self::Arrange, Self::Locate, Self::Gauss];
 
     pub(crate) fn name(self) -> &'static str {
         match self {
@@ -108,6 +104,7 @@ impl Verb {
             Self::Convert => "convert",
             Self::Arrange => "arrange",
             Self::Locate => "locate",
+            Self::Gauss => "gauss",
         }
     }
 
@@ -136,6 +133,17 @@ impl Verb {
                 &["output", "format", "surface", "period", "identification", "view", "json", "quiet"]
             }
             Self::Locate => &["output", "strategy", "ray", "json", "quiet"],
+            Self::Gauss => &[
+                "output",
+                "format",
+                "cubical",
+                "identification",
+                "view",
+                "hull",
+                "triangulate",
+                "json",
+                "quiet",
+            ],
         }
     }
 
@@ -149,7 +157,7 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Command
     let mut parser = lexopt::Parser::from_args(words);
     match parser.next().map_err(|error| lexical(&error, None))? {
         None => Err(Failure::usage(
-            "a verb is missing: sum, hull, info, convert, arrange or locate; see `splitstar --help`",
+            "a verb is missing: sum, hull, info, convert, arrange, locate or gauss; see `splitstar --help`",
         )),
         Some(Short('h') | Long("help")) => Ok(Command::Help(None)),
         Some(Short('V') | Long("version")) => Ok(Command::Version),
@@ -168,7 +176,7 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Command
 fn verb(word: &OsStr) -> Result<Verb, Failure> {
     Verb::from_name(word).ok_or_else(|| {
         Failure::usage(format!(
-            "unknown verb `{}`; the verbs are sum, hull, info, convert, arrange and locate, see `splitstar --help`",
+            "unknown verb `{}`; the verbs are sum, hull, info, convert, arrange, locate and gauss, see `splitstar --help`",
             word.to_string_lossy()
         ))
     })
@@ -197,6 +205,7 @@ fn parse_run(verb: Verb, parser: &mut lexopt::Parser) -> Result<Command, Failure
         cells: None,
         strategy: None,
         ray: None,
+        cubical: false,
     };
     let mut given: Vec<&'static str> = Vec::new();
     while let Some(argument) = parser.next().map_err(|error| lexical(&error, Some(verb)))? {
@@ -239,7 +248,7 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
             }
             run.output = Some(place(&word));
         }
-        "format" if verb == Verb::Arrange => {
+        "format" if matches!(verb, Verb::Arrange | Verb::Gauss) => {
             let word = value()?;
             run.cells = Some(word.to_str().and_then(CellEncoding::from_name).ok_or_else(|| {
                 usage(
@@ -263,14 +272,10 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
         }
         "method" => {
             let word = value()?;
-            run.method = match word.to_str() {
-                Some("overlay") => Method::Overlay,
-                Some("hull") => Method::Hull,
-                _ => {
-                    let word = word.to_string_lossy();
-                    return Err(usage(verb, format!("unknown method `{word}`: overlay or hull")));
-                }
-            };
+            run.method = word.to_str().and_then(Method::from_name).ok_or_else(|| {
+                let names = Method::ALL.map(Method::name).join(", ");
+                usage(verb, format!("unknown method `{}`: {names}", word.to_string_lossy()))
+            })?;
         }
         "scale" => {
             let [scale] = numbers(verb, "--scale", "S", &value()?)?;
@@ -341,6 +346,7 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
         "reflect" => run.motion.reflect = true,
         "triangulate" => run.triangulate = true,
         "hull" => run.hull = true,
+        "cubical" => run.cubical = true,
         "float" => run.float = true,
         "lossy" => run.lossy = true,
         "join" => run.join = true,

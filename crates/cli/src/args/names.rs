@@ -35,6 +35,40 @@ impl CellEncoding {
     }
 }
 
+/// How polytopes are added.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(crate) enum Method {
+    /// A walk over both Gaussian maps.
+    #[default]
+    Overlay,
+    /// Gaussian maps as arrangements on the sphere.
+    Sgm,
+    /// The same on the sides of a cube.
+    Cgm,
+    /// Linear programs.
+    Lp,
+    /// The convex hull of all sums of vertices.
+    Hull,
+}
+
+impl Method {
+    pub(super) const ALL: [Self; 5] = [Self::Overlay, Self::Sgm, Self::Cgm, Self::Lp, Self::Hull];
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Overlay => "overlay",
+            Self::Sgm => "sgm",
+            Self::Cgm => "cgm",
+            Self::Lp => "lp",
+            Self::Hull => "hull",
+        }
+    }
+
+    pub(super) fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|method| name == method.name())
+    }
+}
+
 /// What curves lie on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Surface {
