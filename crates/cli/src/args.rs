@@ -366,7 +366,7 @@ impl Run {
 
     /// What to write an arrangement as.
     pub(crate) fn cell_encoding(&self) -> CellEncoding {
-        let by_name = || cells_of_name(self.output.as_ref()?).ok();
+        let by_name = || cells_of_name(self.output.as_ref()?, "").ok();
         self.cells.or_else(by_name).unwrap_or(CellEncoding::DEFAULT)
     }
 }

@@ -15,6 +15,7 @@ mod failure;
 mod help;
 mod input;
 mod located;
+mod map;
 mod output;
 mod points;
 mod report;
@@ -51,6 +52,7 @@ fn run() -> Result<(), Failure> {
                 Verb::Convert => verbs::convert(&run),
                 Verb::Arrange => verbs::arrange(&run),
                 Verb::Locate => verbs::locate(&run),
+                Verb::Gauss => verbs::gauss(&run),
             }
         }
     }

@@ -2,6 +2,7 @@
 
 mod arrange;
 mod convert;
+mod gauss;
 mod hull;
 mod info;
 mod locate;
@@ -9,6 +10,7 @@ mod sum;
 
 pub(crate) use arrange::arrange;
 pub(crate) use convert::convert;
+pub(crate) use gauss::gauss;
 pub(crate) use hull::hull;
 pub(crate) use info::info;
 pub(crate) use locate::locate;

@@ -9,7 +9,9 @@
 //! | [`exact`] | integers, rationals, vectors, points, planes, rotations, predicates |
 //! | [`dcel`] | halfedge connectivity: what is next to what |
 //! | [`arrangement`] | arrangements of curves in the plane, on a torus and on the sphere: traits, sweep, overlay, editing, zones, history |
+//! | [`cubical`] | arrangements of geodesic arcs on the sides of a cube |
 //! | [`polytope`] | polytopes and meshes, convex hulls, Minkowski sums |
+//! | [`gauss`] | Gaussian maps as arrangements, on the sphere and on the sides of a cube |
 //! | [`formats`] | files of models (OFF, OBJ, STL, PLY, 3MF, VRML, glTF, star), of curves (text, WKT, GeoJSON) and of arrangements (star), read and written |
 //! | [`render`] | pictures, as SVG |
 //! | [`graph`] | arrangements and their duals as graphs of `petgraph` |
@@ -22,7 +24,8 @@
 //! splitstar = { path = "splitstar/crates/splitstar" }
 //! ```
 //!
-//! these are `splitstar::arrangement::`, `splitstar::exact::`, `splitstar::dcel::`, `splitstar::polytope::`, `splitstar::formats::`, `splitstar::render::` and `splitstar::graph::`.
+//! these are `splitstar::arrangement::`, `splitstar::exact::`, `splitstar::dcel::`, `splitstar::polytope::`, `splitstar::formats::`, `splitstar::render::`, `splitstar::graph::`,
+//! `splitstar::gauss::` and `splitstar::cubical::`.
 //!
 //! # A convex hull
 //!
@@ -114,7 +117,7 @@
 // The examples of the README are tests of this crate.
 #![cfg_attr(doctest, doc = include_str!("../../../README.md"))]
 
-pub use {arrangement, dcel, exact, formats, graph, polytope, render};
+pub use {arrangement, cubical, dcel, exact, formats, gauss, graph, polytope, render};
 
 /// The names that most programs need: `use splitstar::prelude::*`.
 ///

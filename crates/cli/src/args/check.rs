@@ -32,7 +32,10 @@ pub(super) fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
         return Err(usage(verb, "where to write is missing: -o OUT, or -o - for standard output"));
     }
     let named = match (&run.output, verb) {
-        (Some(output), Verb::Arrange | Verb::Gauss) if run.cells.is_none() => cells_of_name(output).err(),
+        (Some(output), Verb::Arrange | Verb::Gauss) if run.cells.is_none() => {
+            let what = if verb == Verb::Gauss { "a Gaussian map" } else { "an arrangement" };
+            cells_of_name(output, what).err()
+        }
         (Some(_), Verb::Arrange | Verb::Locate | Verb::Gauss) => None,
         (Some(output), _) if run.format.is_none() => encoding_of_name(output).err(),
         (None, Verb::Arrange | Verb::Gauss) if run.cells.is_some() => {

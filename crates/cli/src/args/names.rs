@@ -174,8 +174,8 @@ impl Place {
     }
 }
 
-/// What an arrangement is written as by the ending of a name; star where a name has no ending.
-pub(super) fn cells_of_name(output: &Place) -> Result<CellEncoding, String> {
+/// What an arrangement or a map is written as by the ending of a name; star where a name has no ending.
+pub(super) fn cells_of_name(output: &Place, what: &str) -> Result<CellEncoding, String> {
     let name = output.file_name().unwrap_or_default();
     let Some((stem, last)) = name.rsplit_once('.') else { return Ok(CellEncoding::DEFAULT) };
     let ending = match stem.rsplit_once('.') {
@@ -184,7 +184,7 @@ pub(super) fn cells_of_name(output: &Place) -> Result<CellEncoding, String> {
     };
     CellEncoding::from_name(&ending.to_ascii_lowercase()).ok_or_else(|| {
         format!(
-            "an arrangement is not written as `.{ending}`; use .star or .svg, each also with .gz, or --format: star or svg"
+            "{what} is not written as `.{ending}`; use .star or .svg, each also with .gz, or --format: star or svg"
         )
     })
 }

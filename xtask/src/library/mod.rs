@@ -1,8 +1,21 @@
-//! The one place where the tasks call the library.
+//! The one place where the tasks call the library on polytopes.
+//!
+//! | file | role |
+//! |---|---|
+//! | this one | models, and their sums, measured |
+//! | `method` | the ways to a sum |
+//! | `maps` | cells of Gaussian maps |
+
+mod maps;
+mod method;
+
+pub(crate) use maps::{MapCounts, cubical_counts, cubical_side_counts, spherical_counts};
+pub(crate) use method::Method;
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use exact::{Affine3, Integer, Quaternion};
 use polytope::{PolygonMesh, Polytope, minkowski_sum};
 
 use crate::Failure;
@@ -56,21 +69,35 @@ pub(crate) fn sum_counts(paths: &[PathBuf]) -> Result<Counts, Failure> {
 /// # Errors
 /// If a file is not a convex mesh.
 pub(crate) fn measured_sum(paths: &[PathBuf], least: usize, budget: f64) -> Result<Measured, Failure> {
+    measured_sum_by(Method::Walk, paths, least, budget)
+}
+
+/// The same by another method. What is measured ends with the Gaussian map of the sum, where the method makes one.
+///
+/// # Errors
+/// If a file is not a convex mesh.
+pub(crate) fn measured_sum_by(
+    method: Method,
+    paths: &[PathBuf],
+    least: usize,
+    budget: f64,
+) -> Result<Measured, Failure> {
     let meshes = paths.iter().map(|path| read(path)).collect::<Result<Vec<_>, _>>()?;
     let mut times: Vec<[f64; 2]> = Vec::new();
     let start = Instant::now();
     loop {
         let begin = Instant::now();
         let polytopes = meshes.iter().map(polytope).collect::<Result<Vec<_>, _>>()?;
+        let operands = method.operands(&polytopes);
         let built = Instant::now();
-        let sum = minkowski_sum(&polytopes.iter().collect::<Vec<_>>());
+        let sum = operands.sum();
         let end = Instant::now();
         times.push([built - begin, end - built].map(|time| time.as_secs_f64()));
         if times.len() >= least.max(1) && (start.elapsed().as_secs_f64() >= budget || times.len() == 20_000) {
             let totals: Vec<f64> = times.iter().map(|[build, sum]| build + sum).collect();
             return Ok(Measured {
                 operands: polytopes.iter().map(counts).collect(),
-                sum: counts(&sum),
+                sum: sum.counts(),
                 fastest: totals.iter().copied().fold(f64::INFINITY, f64::min),
                 seconds: median(totals),
                 phases: [0, 1].map(|part| median(times.iter().map(|phases| phases[part]).collect())),
@@ -103,6 +130,28 @@ fn polytope(mesh: &PolygonMesh) -> Result<Polytope, Failure> {
 }
 
 fn counts(polytope: &Polytope) -> Counts {
-    let counts = polytope.counts();
+    counts_of(polytope.counts())
+}
+
+fn counts_of(counts: polytope::Counts) -> Counts {
     Counts { vertices: counts.vertices, edges: counts.edges, facets: counts.facets }
+}
+
+/// The polytopes of these files.
+///
+/// # Errors
+/// If a file is not a convex mesh.
+pub(crate) fn polytopes(paths: &[PathBuf]) -> Result<Vec<Polytope>, Failure> {
+    paths.iter().map(|path| polytope(&read(path)?)).collect()
+}
+
+/// A polytope turned exactly by the quaternion w, x, y, z, of any length but zero.
+pub(crate) fn turned(polytope: &Polytope, by: [i64; 4]) -> Polytope {
+    let quaternion = Quaternion::new(by.map(Integer::from)).expect("a rotation is not zero");
+    polytope.transformed(&Affine3::rotation(&quaternion))
+}
+
+/// The sum of polytopes.
+pub(crate) fn sum(polytopes: &[Polytope]) -> Polytope {
+    minkowski_sum(&polytopes.iter().collect::<Vec<_>>())
 }

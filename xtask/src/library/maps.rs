@@ -1,0 +1,40 @@
+//! Cells of Gaussian maps, counted as the thesis does: vertices, halfedges and faces, with what is artificial.
+
+use gauss::{CubicalGaussianMap, SphericalGaussianMap};
+use polytope::Polytope;
+
+/// Vertices, halfedges and faces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) struct MapCounts {
+    pub(crate) vertices: usize,
+    pub(crate) halfedges: usize,
+    pub(crate) faces: usize,
+}
+
+impl MapCounts {
+    pub(crate) const fn new([vertices, halfedges, faces]: [usize; 3]) -> Self {
+        Self { vertices, halfedges, faces }
+    }
+
+    /// How far apart two are: the differences, added.
+    pub(crate) fn distance(self, other: Self) -> usize {
+        self.vertices.abs_diff(other.vertices)
+            + self.halfedges.abs_diff(other.halfedges)
+            + self.faces.abs_diff(other.faces)
+    }
+}
+
+impl std::fmt::Display for MapCounts {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{}/{}/{}", self.vertices, self.halfedges, self.faces)
+    }
+}
+
+/// The cells of the spherical map of the sum of polytopes, by overlay: with the vertices where arcs are cut at the poles and at the
+/// identification, as CGAL counts.
+pub(crate) fn spherical_counts(polytopes: &[Polytope]) -> MapCounts {
+    let maps: Vec<_> = polytopes.iter().map(SphericalGaussianMap::of_polytope).collect();
+    let counts = SphericalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()).counts_with_splits();
+    MapCounts { vertices: counts.vertices, halfedges: 2 * counts.edges, faces: counts.faces }
+}
+//G2
