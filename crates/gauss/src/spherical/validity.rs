@@ -88,10 +88,7 @@ impl SphericalGaussianMap {
         }
         let is_broken = |&e: &EdgeId| {
             let [left, right] = [e.halfedge(), e.halfedge().twin()].map(|h| self.point(dcel.face(h)));
-            !is_positive_multiple(
-                &right.direction_to(left),
-                &self.arrangement.curve_of(e).circle().normal(),
-            )
+            !is_positive_multiple(&right.direction_to(left), &self.arrangement.curve_of(e).circle().normal())
         };
         let edges = dcel.edges().filter(is_broken).map(GaussianViolation::Edge);
         let vertices = self.real_vertices().filter(|&v| dcel.degree(v) < 3).map(GaussianViolation::Vertex);

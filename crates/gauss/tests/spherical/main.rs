@@ -1,0 +1,6 @@
+//! The Gaussian map on the sphere.
+
+mod degenerate;
+mod features;
+mod models;
+mod random;
