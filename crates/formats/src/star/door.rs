@@ -2,7 +2,7 @@
 
 use super::first::StarKind;
 use crate::base::budget::Budget;
-use crate::base::error::{At, Fault, Located, ReadError};
+use crate::base::error::{Fault, Located, ReadError};
 use crate::base::places::Place;
 use crate::base::scan::{Scanner, Token};
 use crate::format::{Content, Encoding, Format};
