@@ -8,11 +8,11 @@ use std::collections::{HashMap, HashSet};
 use testkit::{assert_same, facet_planes};
 
 /// Identifications: the usual one, its opposite, along axes and oblique ones.
-pub fn identifications() -> Vec<GeodesicTraits> {
+pub(crate) fn identifications() -> Vec<GeodesicTraits> {
     [[-1, 0], [1, 0], [0, 1], [1, 1], [-3, 2]].into_iter().map(identification).collect()
 }
 
-pub fn identification([x, y]: [i64; 2]) -> GeodesicTraits {
+pub(crate) fn identification([x, y]: [i64; 2]) -> GeodesicTraits {
     GeodesicTraits::with_identification([x.into(), y.into()]).expect("not zero")
 }
 
@@ -25,7 +25,7 @@ fn turned<K: Ord + Clone>(mut cycle: Vec<K>) -> Vec<K> {
 
 /// Panics unless a map is valid and is that of a polytope: in its counts, and facet by facet and edge by edge with all neighbours.
 #[track_caller]
-pub fn check(map: &SphericalGaussianMap, polytope: &Polytope, context: &str) {
+pub(crate) fn check(map: &SphericalGaussianMap, polytope: &Polytope, context: &str) {
     assert_eq!(map.check_valid(), [], "{context}");
     assert_eq!(map.dimension(), polytope.dimension(), "{context}");
     assert_eq!(map.counts(), polytope.counts(), "{context}");
@@ -85,7 +85,7 @@ pub fn check(map: &SphericalGaussianMap, polytope: &Polytope, context: &str) {
 
 /// Panics unless the map of a polytope is right under several identifications, and reflected, and identified anew.
 #[track_caller]
-pub fn check_maps(polytope: &Polytope, context: &str) {
+pub(crate) fn check_maps(polytope: &Polytope, context: &str) {
     let usual = SphericalGaussianMap::of_polytope(polytope);
     check(&usual, polytope, context);
     let reflected = polytope.reflected();
@@ -103,7 +103,7 @@ pub fn check_maps(polytope: &Polytope, context: &str) {
 
 /// Panics unless the sum of two maps is right: in both orders, with several identifications.
 #[track_caller]
-pub fn check_sum(p: &Polytope, q: &Polytope, context: &str) {
+pub(crate) fn check_sum(p: &Polytope, q: &Polytope, context: &str) {
     let expected = polytope::minkowski_sum(&[p, q]);
     let [a, b] = [p, q].map(SphericalGaussianMap::of_polytope);
     let sum = a.minkowski_sum(&b);
@@ -115,10 +115,10 @@ pub fn check_sum(p: &Polytope, q: &Polytope, context: &str) {
     check(&a.minkowski_sum(&other), &expected, &format!("{context}, identified anew"));
 }
 
-pub fn hull(points: &[[i64; 3]]) -> Polytope {
+pub(crate) fn hull(points: &[[i64; 3]]) -> Polytope {
     testkit::hull(points)
 }
 
-pub fn point(p: [i64; 3]) -> Polytope {
+pub(crate) fn point(p: [i64; 3]) -> Polytope {
     Polytope::point(Point3::from_i64(p))
 }

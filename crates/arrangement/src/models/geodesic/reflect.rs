@@ -6,7 +6,6 @@ use crate::arrangement::Parts;
 use crate::topology::Sphere;
 use dcel::{FaceId, HalfedgeId, VertexId};
 use exact::spherical::{Direction, Meridian};
-use std::cmp::Ordering;
 
 const SOUTH: VertexId = VertexId(0);
 const NORTH: VertexId = VertexId(1);
@@ -45,7 +44,7 @@ impl Arrangement<GeodesicTraits, Sphere> {
     /// # Ok::<(), splitstar_arrangement::models::GeodesicError>(())
     /// ```
     pub fn reflected(&self) -> Self {
-        let corner_face = self.face_before_identification(NORTH);
+        let corner_face = self.face_at_upper_corner();
         let mut dcel = self.dcel().mirrored();
         dcel.exchange_vertices(SOUTH, NORTH);
         for e in self.dcel().edges().filter(|&e| self.curve_of(e).is_meridian()) {
@@ -65,21 +64,20 @@ impl Arrangement<GeodesicTraits, Sphere> {
         Self::of_valid_parts(self.traits().reflected(), Sphere, parts)
     }
 
-    /// The face at a pole that is met last before the identification, counterclockwise seen from the north.
-    fn face_before_identification(&self, pole: VertexId) -> FaceId {
+    /// The face at the north pole along the identification; if an edge runs there, the one on that side where longitudes are small.
+    fn face_at_upper_corner(&self) -> FaceId {
         let dcel = self.dcel();
-        if let Some(face) = dcel.isolated_face(pole) {
+        if let Some(face) = dcel.isolated_face(NORTH) {
             return face;
         }
-        let last = dcel.around(pole).max_by(|&a, &b| self.compare_meridians(a, b));
-        let last = last.expect("a pole that is not isolated has edges");
-        // Counterclockwise seen from outside is counterclockwise seen from the north at the north pole only.
-        if pole == NORTH { dcel.face(last) } else { dcel.face(last.twin()) }
-    }
-
-    /// Compares the longitudes of edges that leave a pole.
-    fn compare_meridians(&self, a: HalfedgeId, b: HalfedgeId) -> Ordering {
-        let circle = |h: HalfedgeId| self.curve_of(h.edge_id()).circle();
-        self.traits().meridian().compare_u_of_halves(circle(a), circle(b))
+        let arc = |h: HalfedgeId| self.curve_of(h.edge_id());
+        let compare = |a: HalfedgeId, b: HalfedgeId| {
+            let by_longitude =
+                || self.traits().meridian().compare_u_of_halves(arc(a).circle(), arc(b).circle());
+            arc(a).is_along_side().cmp(&arc(b).is_along_side()).then_with(by_longitude)
+        };
+        // Counterclockwise around the north pole, longitudes grow.
+        let last = dcel.around(NORTH).max_by(|&a, &b| compare(a, b));
+        dcel.face(last.expect("a pole that is not isolated has edges"))
     }
 }
