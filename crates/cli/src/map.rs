@@ -45,7 +45,10 @@ impl MapReport {
                     [stored.vertices, stored.edges, stored.faces],
                 )
             }
-            //G2 StarGaussianMap::Cubical(map) => todo,
+            StarGaussianMap::Cubical(map) => {
+                let (real, stored) = (map.arrangement().counts(), map.arrangement().counts_with_artificial());
+                ("cube", [real.vertices, real.edges, real.faces], [stored.vertices, stored.edges, stored.faces])
+            }
             _ => unreachable!("no other map is made"),
         };
         let with_splits = Stored { vertices: stored[0], edges: stored[1], faces: stored[2] };

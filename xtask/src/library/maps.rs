@@ -1,5 +1,6 @@
 //! Cells of Gaussian maps, counted as the thesis does: vertices, halfedges and faces, with what is artificial.
 
+use cubical::CubeSide;
 use gauss::{CubicalGaussianMap, SphericalGaussianMap};
 use polytope::Polytope;
 
@@ -37,4 +38,25 @@ pub(crate) fn spherical_counts(polytopes: &[Polytope]) -> MapCounts {
     let counts = SphericalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()).counts_with_splits();
     MapCounts { vertices: counts.vertices, halfedges: 2 * counts.edges, faces: counts.faces }
 }
-//G2
+
+/// The cells of the cubical map of the sum of polytopes, on all six sides, by overlays: with those along the edges of the cube, and
+/// the unbounded face of each side.
+pub(crate) fn cubical_counts(polytopes: &[Polytope]) -> MapCounts {
+    let counts = cubical_sum(polytopes).arrangement().counts_with_artificial();
+    MapCounts { vertices: counts.vertices, halfedges: 2 * counts.edges, faces: counts.faces }
+}
+
+/// The same for each side, with its equation.
+pub(crate) fn cubical_side_counts(polytopes: &[Polytope]) -> Vec<(String, MapCounts)> {
+    let sum = cubical_sum(polytopes);
+    let of_side = |side: CubeSide| {
+        let counts = sum.arrangement().side(side).counts_with_splits();
+        (side.to_string(), MapCounts { vertices: counts.vertices, halfedges: 2 * counts.edges, faces: counts.faces })
+    };
+    CubeSide::ALL.map(of_side).into()
+}
+
+fn cubical_sum(polytopes: &[Polytope]) -> CubicalGaussianMap {
+    let maps: Vec<_> = polytopes.iter().map(CubicalGaussianMap::of_polytope).collect();
+    CubicalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()).expect("there are summands")
+}

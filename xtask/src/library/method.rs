@@ -69,7 +69,8 @@ impl Operands<'_> {
                 Sum::Spherical(SphericalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()))
             }
             Self::Cubical(maps) => {
-                Sum::Cubical(CubicalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()))
+                let sum = CubicalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>());
+                Sum::Cubical(sum.expect("there are summands"))
             }
         }
     }

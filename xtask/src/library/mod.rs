@@ -51,8 +51,8 @@ pub(crate) struct Measured {
     pub(crate) seconds: f64,
     /// The fastest repetition: far below the median on a machine that is busy.
     pub(crate) fastest: f64,
-    /// Medians of its two parts: making the polytopes of the operands, and the sum.
-    pub(crate) phases: [f64; 2],
+    /// Medians of its parts: making the polytopes of the operands, making maps of them where the method adds these, and the sum.
+    pub(crate) phases: [f64; 3],
     pub(crate) repetitions: usize,
 }
 
@@ -83,24 +83,25 @@ pub(crate) fn measured_sum_by(
     budget: f64,
 ) -> Result<Measured, Failure> {
     let meshes = paths.iter().map(|path| read(path)).collect::<Result<Vec<_>, _>>()?;
-    let mut times: Vec<[f64; 2]> = Vec::new();
+    let mut times: Vec<[f64; 3]> = Vec::new();
     let start = Instant::now();
     loop {
         let begin = Instant::now();
         let polytopes = meshes.iter().map(polytope).collect::<Result<Vec<_>, _>>()?;
-        let operands = method.operands(&polytopes);
         let built = Instant::now();
+        let operands = method.operands(&polytopes);
+        let ready = Instant::now();
         let sum = operands.sum();
         let end = Instant::now();
-        times.push([built - begin, end - built].map(|time| time.as_secs_f64()));
+        times.push([built - begin, ready - built, end - ready].map(|time| time.as_secs_f64()));
         if times.len() >= least.max(1) && (start.elapsed().as_secs_f64() >= budget || times.len() == 20_000) {
-            let totals: Vec<f64> = times.iter().map(|[build, sum]| build + sum).collect();
+            let totals: Vec<f64> = times.iter().map(|phases| phases.iter().sum()).collect();
             return Ok(Measured {
                 operands: polytopes.iter().map(counts).collect(),
                 sum: sum.counts(),
                 fastest: totals.iter().copied().fold(f64::INFINITY, f64::min),
                 seconds: median(totals),
-                phases: [0, 1].map(|part| median(times.iter().map(|phases| phases[part]).collect())),
+                phases: [0, 1, 2].map(|part| median(times.iter().map(|phases| phases[part]).collect())),
                 repetitions: times.len(),
             });
         }

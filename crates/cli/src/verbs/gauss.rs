@@ -72,7 +72,7 @@ fn scene(map: &StarGaussianMap, run: &Run) -> Result<Scene, RenderError> {
         StarGaussianMap::Spherical(map) => {
             sphere_scene(map.arrangement(), map.arrangement().traits(), run.view)
         }
-        StarGaussianMap::Cubical(map) => Scene::of_cube(map.cubical()),
+        StarGaussianMap::Cubical(map) => Scene::of_cube(map.arrangement()),
         _ => unreachable!("no other map is made"),
     }
 }

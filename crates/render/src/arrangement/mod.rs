@@ -21,6 +21,7 @@ mod outline;
 mod sphere;
 mod torus;
 
+pub(crate) use look::Look;
 pub use sphere::GlobeOptions;
 
 use ::arrangement::Arrangement;
@@ -33,7 +34,6 @@ use crate::frame::{Frame, Point};
 use crate::scene::{Item, Layer, Scene, Shape};
 use crate::style::{Dash, Stroke, Style};
 use components::Components;
-use look::Look;
 use outline::Outlines;
 
 impl Scene {

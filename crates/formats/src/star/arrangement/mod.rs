@@ -36,6 +36,7 @@ pub use model::{
     StarArrangement, TorusArrangement, TorusPolycurveArrangement,
 };
 pub use read::{read_arrangement, read_numbered_arrangement};
+pub(super) use write::put_boundaries;
 pub use write::write_arrangement;
 
 use crate::base::budget::Budget;

@@ -4,7 +4,7 @@ use super::course::{Links, course_of};
 use super::family::{Base, Family, StarText};
 use crate::base::numerals::put;
 use arrangement::{Arrangement, CellOrder};
-use dcel::{CcbKind, FaceId, HalfedgeId};
+use dcel::{CcbKind, Dcel, FaceId, HalfedgeId};
 
 /// Writes an arrangement in the native format, kind `arrangement`: see `docs/star.md`.
 ///
@@ -97,21 +97,31 @@ pub(super) fn put_records<B: Base, G: Family<B>>(
     for (number, &face) in (0_u32..).zip(&faces) {
         put(text, format_args!("face {number}\n"));
         put_of_face(text, face);
-        for (kind, keyword) in [(CcbKind::Outer, "outer"), (CcbKind::Inner, "inner")] {
-            let firsts = &ccbs_of_faces[face.index()];
-            for &first in firsts.iter().filter(|&&h| dcel.ccb_kind(dcel.ccb(h)) == kind) {
-                text.extend_from_slice(keyword.as_bytes());
-                for h in dcel.cycle(first) {
-                    let sign = if h.is_even() { '+' } else { '-' };
-                    put(text, format_args!(" {sign}{}", edge_numbers[h.edge()]));
-                }
-                text.push(b'\n');
-            }
-        }
+        let firsts = ccbs_of_faces[face.index()].iter().copied();
+        put_boundaries(dcel, firsts, &edge_numbers, text);
         let isolated = dcel.isolated_vertices(face).map(|v| vertex_numbers[v.index()]);
         // Infinity has no number, nor has a pole at which nothing is.
         let mut isolated: Vec<u32> = isolated.filter(|&number| number != NEW).collect();
         isolated.sort_unstable();
         isolated.iter().for_each(|number| put(text, format_args!("isolated {number}\n")));
+    }
+}
+
+/// Writes the boundaries of a face, given by their first halfedges: outer ones before inner ones.
+pub(in crate::star) fn put_boundaries(
+    dcel: &Dcel,
+    firsts: impl Iterator<Item = HalfedgeId> + Clone,
+    edge_numbers: &[u32],
+    text: &mut Vec<u8>,
+) {
+    for (kind, keyword) in [(CcbKind::Outer, "outer"), (CcbKind::Inner, "inner")] {
+        for first in firsts.clone().filter(|&h| dcel.ccb_kind(dcel.ccb(h)) == kind) {
+            text.extend_from_slice(keyword.as_bytes());
+            for h in dcel.cycle(first) {
+                let sign = if h.is_even() { '+' } else { '-' };
+                put(text, format_args!(" {sign}{}", edge_numbers[h.edge()]));
+            }
+            text.push(b'\n');
+        }
     }
 }

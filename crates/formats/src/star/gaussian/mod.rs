@@ -7,7 +7,7 @@
 //! | `cube` | the sides of a cube |
 //! | `read` | the door: the points of the faces, the map of their hull, and whether its text is that of the file |
 
-//G2 mod cube;
+mod cube;
 mod read;
 mod write;
 
@@ -15,8 +15,7 @@ pub use read::read_gaussian_map;
 pub(super) use read::read_polytope;
 pub use write::write_gaussian_map;
 
-//G2 use gauss::CubicalGaussianMap;
-use gauss::SphericalGaussianMap;
+use gauss::{CubicalGaussianMap, SphericalGaussianMap};
 use polytope::Polytope;
 
 /// A Gaussian map of any kind that a star file can hold.
@@ -25,8 +24,8 @@ use polytope::Polytope;
 pub enum StarGaussianMap {
     /// On the sphere.
     Spherical(SphericalGaussianMap),
-    //G2 /// On the sides of a cube.
-    //G2 Cubical(CubicalGaussianMap),
+    /// On the sides of a cube.
+    Cubical(CubicalGaussianMap),
 }
 
 impl StarGaussianMap {
@@ -34,7 +33,7 @@ impl StarGaussianMap {
     pub fn make_polytope(&self) -> Polytope {
         match self {
             Self::Spherical(map) => map.make_polytope(),
-            //G2 Self::Cubical(map) => map.make_polytope(),
+            Self::Cubical(map) => map.make_polytope(),
         }
     }
 }
@@ -45,8 +44,8 @@ impl From<SphericalGaussianMap> for StarGaussianMap {
     }
 }
 
-//G2 impl From<CubicalGaussianMap> for StarGaussianMap {
-//G2     fn from(map: CubicalGaussianMap) -> Self {
-//G2         Self::Cubical(map)
-//G2     }
-//G2 }
+impl From<CubicalGaussianMap> for StarGaussianMap {
+    fn from(map: CubicalGaussianMap) -> Self {
+        Self::Cubical(map)
+    }
+}

@@ -18,8 +18,7 @@ use crate::star::first::{StarKind, read_first_line};
 use crate::star::line::{Line, Lines};
 use arrangement::models::GeodesicTraits;
 use exact::Point3;
-//G2 use gauss::CubicalGaussianMap;
-use gauss::SphericalGaussianMap;
+use gauss::{CubicalGaussianMap, SphericalGaussianMap};
 // tidy: convex_hull, because a map is that of the hull of the points of its faces
 use polytope::convex_hull as hull_of;
 
@@ -103,7 +102,7 @@ fn map_of(points: &[Point3], sphere: Option<GeodesicTraits>) -> Option<StarGauss
     let hull = hull_of(points)?;
     Some(match sphere {
         Some(traits) => SphericalGaussianMap::of_polytope_with(&hull, traits).into(),
-        None => None?, //G2 CubicalGaussianMap::of_polytope(&hull).into(),
+        None => CubicalGaussianMap::of_polytope(&hull).into(),
     })
 }
 

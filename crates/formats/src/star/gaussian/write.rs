@@ -1,7 +1,7 @@
 //! A Gaussian map, written: one text for each.
 
 use super::StarGaussianMap;
-//G2 use super::cube::put_cube;
+use super::cube::put_cube;
 use crate::base::numerals::put;
 use crate::star::arrangement::put_sphere;
 use exact::Point3;
@@ -33,7 +33,7 @@ pub fn write_gaussian_map(map: &StarGaussianMap) -> Vec<u8> {
     match map {
         StarGaussianMap::Spherical(map) => {
             put_sphere(map.arrangement(), &mut text, |text, face| put_primal(text, map.point(face)));
-        } //G2 StarGaussianMap::Cubical(map) => put_cube(map, &mut text),
+        } StarGaussianMap::Cubical(map) => put_cube(map, &mut text),
     }
     text.extend_from_slice(b"end\n");
     text
