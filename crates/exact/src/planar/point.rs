@@ -132,6 +132,33 @@ impl Point2 {
         Some(point)
     }
 
+    /// Makes the point (x/w, y/w) of machine integers with a positive weight w.
+    #[inline]
+    pub(crate) fn from_weighted(homogeneous: [i64; 3]) -> Self {
+        let [x, y, w] = homogeneous;
+        debug_assert!(w > 0, "the weight is positive");
+        if (x.unsigned_abs() | y.unsigned_abs() | w.unsigned_abs()) >> NARROW_BITS == 0 {
+            return Self::explicit(homogeneous);
+        }
+        Self::of_homogeneous(homogeneous.map(Integer::from))
+    }
+
+    /// Makes the point (x/w, y/w) of integers; `None` if w is zero.
+    ///
+    /// ```
+    /// use exact::planar::Point2;
+    /// let point = Point2::from_homogeneous([4, -1, -2].map(Into::into)).expect("a weight that is not zero");
+    /// assert_eq!(point.to_string(), "(-2, 1/2)");
+    /// assert_eq!(Point2::from_homogeneous([4, -1, 0].map(Into::into)), None);
+    /// ```
+    pub fn from_homogeneous(homogeneous: [Integer; 3]) -> Option<Self> {
+        match homogeneous[2].sign() {
+            Sign::Zero => None,
+            Sign::Positive => Some(Self::of_homogeneous(homogeneous)),
+            Sign::Negative => Some(Self::of_homogeneous(homogeneous.map(|value| -value))),
+        }
+    }
+
     /// A point with a positive weight.
     fn of_homogeneous(homogeneous: [Integer; 3]) -> Self {
         let machine = homogeneous.each_ref().map(Integer::to_i64);
@@ -232,8 +259,16 @@ impl Point2 {
         }
     }
 
+    /// The lines that cross here, if the point is held so.
+    pub(crate) fn crossing_lines(&self) -> Option<[Line2; 2]> {
+        match &self.repr {
+            Repr::Crossing { lines, .. } => Some(lines.each_ref().map(Line2::of_narrow)),
+            _ => None,
+        }
+    }
+
     /// X, Y and the positive weight W.
-    pub(super) fn homogeneous(&self) -> [Integer; 3] {
+    pub(crate) fn homogeneous(&self) -> [Integer; 3] {
         match &self.repr {
             Repr::Explicit(homogeneous) => homogeneous.map(Integer::from),
             Repr::Crossing { lines, .. } => {
