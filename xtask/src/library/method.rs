@@ -69,8 +69,7 @@ impl Operands<'_> {
                 Sum::Spherical(SphericalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()))
             }
             Self::Cubical(maps) => {
-                let sum = CubicalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>());
-                Sum::Cubical(sum.expect("there are summands"))
+                Sum::Cubical(CubicalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()))
             }
         }
     }

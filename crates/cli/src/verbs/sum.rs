@@ -35,8 +35,7 @@ pub(crate) fn sum(run: &Run) -> Result<(), Failure> {
         Method::Cgm => {
             let maps: Vec<_> =
                 summands.iter().map(|summand| CubicalGaussianMap::of_polytope(summand)).collect();
-            let sum = CubicalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>());
-            sum.expect("there are two summands at least").make_polytope()
+            CubicalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()).make_polytope()
         }
         Method::Lp => minkowski_sum_by_lp(&summands),
         Method::Hull => minkowski_sum_by_hull(&summands),
