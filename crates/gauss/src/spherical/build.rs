@@ -1,6 +1,6 @@
 //! Maps of polytopes, and maps with another identification.
 
-use super::SphericalGaussianMap;
+use super::{SphericalGaussianMap, dual};
 use arrangement::models::{Geodesic, GeodesicArc, GeodesicTraits};
 use arrangement::topology::Sphere;
 use arrangement::traits::ArrangementTraits;
@@ -38,17 +38,20 @@ impl SphericalGaussianMap {
             0 | 1 => Vec::new(),
             _ => mesh.facets().map(|f| normal_of(mesh, &circles, mesh.boundary(f))).collect(),
         };
-        let arcs = mesh.edges().zip(circles).map(|(h, circle)| {
-            let geodesic = match polytope.dimension() {
-                1 => Geodesic::circle(circle),
-                _ => {
-                    let [source, target] = [h, h.twin()].map(|h| normals[mesh.facet(h).index()].clone());
-                    Geodesic::arc_around(source, target, circle)
-                        .expect("an edge is orthogonal to the normals of its facets")
-                }
-            };
-            MapArc { geodesic, sides: [mesh.target(h), mesh.source(h)].map(|v| v.0) }
+        let geodesics = mesh.edges().zip(&circles).map(|(h, circle)| match polytope.dimension() {
+            1 => Geodesic::circle(circle.clone()),
+            _ => {
+                let [source, target] = [h, h.twin()].map(|h| normals[mesh.facet(h).index()].clone());
+                Geodesic::arc_around(source, target, circle.clone())
+                    .expect("an edge is orthogonal to the normals of its facets")
+            }
         });
+        if polytope.dimension() == 3 {
+            let arrangement = dual::arrangement_of_solid(polytope, traits, &normals, geodesics);
+            return Self { arrangement, points: polytope.points().to_vec() };
+        }
+        let sides = |h| [mesh.target(h), mesh.source(h)].map(|v| v.0);
+        let arcs = mesh.edges().zip(geodesics).map(|(h, geodesic)| MapArc { geodesic, sides: sides(h) });
         Self::of_arcs(traits, arcs, polytope.points())
     }
 

@@ -4,12 +4,14 @@
 //! |---|---|
 //! | this one | the map, and what it knows |
 //! | `build` | maps of polytopes; maps with another identification |
+//! | `dual` | the map of a solid, read off its mesh |
 //! | `sum` | Minkowski sums by overlay, reflections |
 //! | `convert` | polytopes of maps |
 //! | `validity` | what a map promises |
 
 mod build;
 mod convert;
+mod dual;
 mod sum;
 mod validity;
 

@@ -4,7 +4,8 @@ use super::{GeodesicArc, GeodesicTraits};
 use crate::Arrangement;
 use crate::arrangement::Parts;
 use crate::topology::Sphere;
-use dcel::{FaceId, HalfedgeId, VertexId};
+use crate::traits::CurveEnd;
+use dcel::{Dcel, EdgeId, FaceId, HalfedgeId, VertexId};
 use exact::spherical::{Direction, Meridian};
 
 const SOUTH: VertexId = VertexId(0);
@@ -15,6 +16,40 @@ impl GeodesicTraits {
     pub fn reflected(&self) -> Self {
         let [x, y, _] = self.identification().opposite().coordinates();
         Self { meridian: Meridian::new([x, y]).expect("an identification has a direction") }
+    }
+
+    /// Gives the face of cells on the sphere that is at the lower corner of the rectangle of parameters, at the south pole along the identification, or at
+    /// the upper one at the north pole. If an edge runs there, it is the face on that side of it where longitudes are small.
+    ///
+    /// For the south pole it is the [corner face](Arrangement::corner_face), for somebody who makes an arrangement of [`Parts`].
+    ///
+    /// # Panics
+    /// If vertices 0 and 1 are not there: they are the poles.
+    ///
+    /// # Complexity
+    /// Linear in the number of edges at the pole.
+    pub fn corner_face<'c>(
+        &self,
+        dcel: &Dcel,
+        curve_of: impl Fn(EdgeId) -> &'c GeodesicArc,
+        pole: CurveEnd,
+    ) -> FaceId {
+        let v = match pole {
+            CurveEnd::Min => SOUTH,
+            CurveEnd::Max => NORTH,
+        };
+        if let Some(face) = dcel.isolated_face(v) {
+            return face;
+        }
+        let compare = |a: HalfedgeId, b: HalfedgeId| {
+            let [a, b] = [a, b].map(|h| curve_of(h.edge_id()));
+            let by_longitude = || self.meridian.compare_u_of_halves(a.circle(), b.circle());
+            a.is_along_side().cmp(&b.is_along_side()).then_with(by_longitude)
+        };
+        let last = dcel.around(v).max_by(|&a, &b| compare(a, b));
+        let last = last.expect("a pole that is not isolated has edges");
+        // Longitudes grow counterclockwise around the north pole, and clockwise around the south pole.
+        dcel.face(if pole == CurveEnd::Max { last } else { last.twin() })
     }
 }
 
@@ -44,7 +79,7 @@ impl Arrangement<GeodesicTraits, Sphere> {
     /// # Ok::<(), splitstar_arrangement::models::GeodesicError>(())
     /// ```
     pub fn reflected(&self) -> Self {
-        let corner_face = self.face_at_upper_corner();
+        let corner_face = self.traits().corner_face(self.dcel(), |e| self.curve_of(e), CurveEnd::Max);
         let mut dcel = self.dcel().mirrored();
         dcel.exchange_vertices(SOUTH, NORTH);
         for e in self.dcel().edges().filter(|&e| self.curve_of(e).is_meridian()) {
@@ -62,22 +97,5 @@ impl Arrangement<GeodesicTraits, Sphere> {
             corner_face,
         };
         Self::of_valid_parts(self.traits().reflected(), Sphere, parts)
-    }
-
-    /// The face at the north pole along the identification; if an edge runs there, the one on that side where longitudes are small.
-    fn face_at_upper_corner(&self) -> FaceId {
-        let dcel = self.dcel();
-        if let Some(face) = dcel.isolated_face(NORTH) {
-            return face;
-        }
-        let arc = |h: HalfedgeId| self.curve_of(h.edge_id());
-        let compare = |a: HalfedgeId, b: HalfedgeId| {
-            let by_longitude =
-                || self.traits().meridian().compare_u_of_halves(arc(a).circle(), arc(b).circle());
-            arc(a).is_along_side().cmp(&arc(b).is_along_side()).then_with(by_longitude)
-        };
-        // Counterclockwise around the north pole, longitudes grow.
-        let last = dcel.around(NORTH).max_by(|&a, &b| compare(a, b));
-        dcel.face(last.expect("a pole that is not isolated has edges"))
     }
 }
