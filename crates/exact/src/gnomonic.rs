@@ -253,3 +253,22 @@ impl Iterator for SideSet {
 }
 
 impl ExactSizeIterator for SideSet {}
+
+/// The great circle whose points are as far along the axis of one side as along that of another, which is not opposite; the first side is on its positive
+/// side. The edge of the cube between both lies on it.
+///
+/// # Panics
+/// If the sides are the same or opposite.
+///
+/// ```
+/// use exact::gnomonic::{CubeSide, diagonal};
+/// let circle = diagonal(CubeSide::new(0, true), CubeSide::new(1, false));
+/// assert_eq!(circle.to_string(), "(1, 1, 0)");
+/// ```
+pub fn diagonal(side: CubeSide, other: CubeSide) -> GreatCircle {
+    assert!(side.axis() != other.axis(), "the sides have an edge in common");
+    let mut normal = [0; 3];
+    normal[side.axis()] = if side.is_positive() { 1 } else { -1 };
+    normal[other.axis()] = if other.is_positive() { -1 } else { 1 };
+    GreatCircle::from_i64(normal).expect("not zero")
+}

@@ -7,10 +7,13 @@
 //! | module | what |
 //! |---|---|
 //! | `spherical` | [`SphericalGaussianMap`]: geodesic arcs on the sphere |
+//! | `cubical` | [`CubicalGaussianMap`]: the same on the six sides of a cube |
 //!
 //! # References
 //! Thesis, sections 3.1 to 3.3.
 
+mod cubical;
 mod spherical;
 
+pub use crate::cubical::CubicalGaussianMap;
 pub use spherical::{GaussianViolation, SphericalGaussianMap};
