@@ -49,7 +49,7 @@ fn the_family_is_simple_and_convex() {
             let p = maximal_polytope(m, k).expect("the numbers are in range");
             assert_eq!(p.counts().to_array(), [2 * m - 4, 3 * m - 6, m], "{context}");
             assert_same(&p, &convex_hull(p.points()).expect("there are vertices"), &context);
-            // Two facets look up, and the x axis is seen by neither.
+            // Two facets look up.
             let up = p.mesh().facets().filter(|&f| p.facet_normal(f).sign(2) == Sign::Positive).count();
             assert_eq!(up, 2, "{context}");
         }
