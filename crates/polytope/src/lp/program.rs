@@ -36,8 +36,7 @@ pub(super) enum Program {
 /// If all d' point the same way, `right` and `left` are equal.
 ///
 /// # Complexity
-/// Linear: two determinants per constraint, as products with a vector that is kept; degree 3, and degree 4
-/// where constraints have parallel d'.
+/// Linear: two determinants per constraint, degree 3; degree 4 where constraints have parallel d'.
 ///
 /// # References
 /// K. Fukuda: From the zonotope construction to the Minkowski addition of convex polytopes, 2004;
@@ -47,58 +46,53 @@ pub(super) fn solve<'a>(
     constraints: impl IntoIterator<Item = (usize, &'a Vector3)>,
 ) -> Program {
     use Sign::{Negative, Positive, Zero};
-    let mut constraints = constraints.into_iter();
-    let Some((index, first)) = constraints.next() else { return Program::Free };
-    let mut right = Side::new(axis, index, first);
-    let mut left = right.clone();
-    if right.normal.is_zero() {
-        return Program::Infeasible;
-    }
-    for (index, new) in constraints {
-        let from_right = predicate::side_of_circle(&right.normal, new);
-        let to_left = -predicate::side_of_circle(&left.normal, new);
+    type Named<'a> = (usize, &'a Vector3);
+    let mut cone: Option<[Named<'a>; 2]> = None;
+    for new in constraints {
+        let Some([right, left]) = &mut cone else {
+            if axis.cross(new.1).is_zero() {
+                return Program::Infeasible;
+            }
+            cone = Some([new, new]);
+            continue;
+        };
+        let from_right = predicate::orientation(axis, right.1, new.1);
+        let to_left = predicate::orientation(axis, new.1, left.1);
         match (from_right, to_left) {
             // Between the two.
             (Positive, Positive) => {}
-            (Positive, Negative) => left = Side::new(axis, index, new),
-            (Negative, Positive) => right = Side::new(axis, index, new),
-            (Zero, Positive) => right.take_if_farther(axis, index, new),
-            (Positive, Zero) => left.take_if_farther(axis, index, new),
+            (Positive, Negative) => *left = new,
+            (Negative, Positive) => *right = new,
+            (Zero, Positive) => *right = farther(axis, *right, new),
+            (Positive, Zero) => *left = farther(axis, *left, new),
             // Opposite to the angle, or to one of its sides.
             (Negative, Negative | Zero) | (Zero, Negative) => return Program::Infeasible,
             // Both sides are one and d' is parallel to it, or d' is zero.
-            (Zero, Zero) => match predicate::same_direction(&right.normal, &axis.cross(new)) {
+            (Zero, Zero) => match predicate::same_direction(&axis.cross(right.1), &axis.cross(new.1)) {
                 Positive => {
-                    right.take_if_farther(axis, index, new);
-                    left = right.clone();
+                    *right = farther(axis, *right, new);
+                    *left = *right;
                 }
                 _ => return Program::Infeasible,
             },
         }
     }
-    Program::Feasible { right: right.index, left: left.index }
-}
-
-/// A constraint that bounds the angle.
-#[derive(Clone)]
-struct Side<'a> {
-    index: usize,
-    vector: &'a Vector3,
-    /// The cross product of the axis and the vector: its product with another vector is their determinant.
-    normal: Vector3,
-}
-
-impl<'a> Side<'a> {
-    fn new(axis: &Vector3, index: usize, vector: &'a Vector3) -> Self {
-        Self { index, vector, normal: axis.cross(vector) }
+    match cone {
+        None => Program::Free,
+        Some([right, left]) => Program::Feasible { right: right.0, left: left.0 },
     }
+}
 
-    /// Becomes another vector in the same half-plane through the axis, if that encloses a greater angle
-    /// with it.
-    fn take_if_farther(&mut self, axis: &Vector3, index: usize, other: &'a Vector3) {
-        let turn = self.vector.cross(other);
-        if predicate::same_direction(&self.normal, &turn) == Sign::Positive {
-            *self = Self::new(axis, index, other);
-        }
+/// Of two vectors in one half-plane through the axis, the one that encloses the greater angle with it;
+/// the first if the angles are equal.
+fn farther<'a>(
+    axis: &Vector3,
+    first: (usize, &'a Vector3),
+    second: (usize, &'a Vector3),
+) -> (usize, &'a Vector3) {
+    let turn = first.1.cross(second.1);
+    match predicate::same_direction(&axis.cross(first.1), &turn) {
+        Sign::Positive => second,
+        _ => first,
     }
 }
