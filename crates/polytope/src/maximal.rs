@@ -183,9 +183,9 @@ fn vertices(n: u32, k: u32) -> Vec<Point3> {
 fn cycles(n: u32) -> Facets {
     let corner = 1 + n;
     let mut facets = Facets::with_capacity(n as usize + 3, 6 * n as usize + 6);
-    let half = |of: &mut dyn Iterator<Item = u32>| std::iter::once(0).chain(of).collect::<Vec<_>>();
-    facets.push(&half(&mut (corner..=corner + n)));
-    facets.push(&half(&mut (1..=corner)));
+    let fan = |chain: std::ops::RangeInclusive<u32>| std::iter::once(0).chain(chain).collect::<Vec<_>>();
+    facets.push(&fan(corner..=corner + n));
+    facets.push(&fan(1..=corner));
     facets.push(&[corner + 1, corner, corner - 1]);
     for j in 2..=n {
         facets.push(&[corner + j, corner + j - 1, corner + 1 - j, corner - j]);
