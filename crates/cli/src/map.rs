@@ -47,7 +47,11 @@ impl MapReport {
             }
             StarGaussianMap::Cubical(map) => {
                 let (real, stored) = (map.arrangement().counts(), map.arrangement().counts_with_artificial());
-                ("cube", [real.vertices, real.edges, real.faces], [stored.vertices, stored.edges, stored.faces])
+                (
+                    "cube",
+                    [real.vertices, real.edges, real.faces],
+                    [stored.vertices, stored.edges, stored.faces],
+                )
             }
             _ => unreachable!("no other map is made"),
         };

@@ -41,7 +41,10 @@ pub(super) fn run() -> Result<(), Failure> {
         }
         let (base, last) = (rows[1], rows[rows.len() - 1]);
         if last > GROWTH * base {
-            broken.push(format!("{}: the time per feature and logarithm grew from {base:.1} to {last:.1} ns", method.name()));
+            broken.push(format!(
+                "{}: the time per feature and logarithm grew from {base:.1} to {last:.1} ns",
+                method.name()
+            ));
         }
     }
     if broken.is_empty() { Ok(()) } else { Err(broken.join("; ").into()) }

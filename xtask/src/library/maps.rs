@@ -35,7 +35,8 @@ impl std::fmt::Display for MapCounts {
 /// identification, as CGAL counts.
 pub(crate) fn spherical_counts(polytopes: &[Polytope]) -> MapCounts {
     let maps: Vec<_> = polytopes.iter().map(SphericalGaussianMap::of_polytope).collect();
-    let counts = SphericalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()).counts_with_splits();
+    let counts =
+        SphericalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()).counts_with_splits();
     MapCounts { vertices: counts.vertices, halfedges: 2 * counts.edges, faces: counts.faces }
 }
 
@@ -51,7 +52,10 @@ pub(crate) fn cubical_side_counts(polytopes: &[Polytope]) -> Vec<(String, MapCou
     let sum = cubical_sum(polytopes);
     let of_side = |side: CubeSide| {
         let counts = sum.arrangement().side(side).counts_with_splits();
-        (side.to_string(), MapCounts { vertices: counts.vertices, halfedges: 2 * counts.edges, faces: counts.faces })
+        (
+            side.to_string(),
+            MapCounts { vertices: counts.vertices, halfedges: 2 * counts.edges, faces: counts.faces },
+        )
     };
     CubeSide::ALL.map(of_side).into()
 }

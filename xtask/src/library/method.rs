@@ -53,7 +53,9 @@ impl Method {
         let by = |sum| Operands::Polytopes(polytopes.iter().collect(), sum);
         match self {
             Self::Walk => by(minkowski_sum),
-            Self::Sgm => Operands::Spherical(polytopes.iter().map(SphericalGaussianMap::of_polytope).collect()),
+            Self::Sgm => {
+                Operands::Spherical(polytopes.iter().map(SphericalGaussianMap::of_polytope).collect())
+            }
             Self::Cgm => Operands::Cubical(polytopes.iter().map(CubicalGaussianMap::of_polytope).collect()),
             Self::Lp => by(minkowski_sum_by_lp),
             Self::Hull => by(minkowski_sum_by_hull),

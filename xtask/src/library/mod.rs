@@ -15,8 +15,8 @@ pub(crate) use method::Method;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use exact::{Affine3, Integer, Quaternion};
-use polytope::{PolygonMesh, Polytope, minkowski_sum};
+use exact::{Affine3, Integer, Point3, Quaternion};
+use polytope::{PolygonMesh, Polytope, convex_hull, minkowski_sum};
 
 use crate::Failure;
 
@@ -150,6 +150,12 @@ pub(crate) fn polytopes(paths: &[PathBuf]) -> Result<Vec<Polytope>, Failure> {
 pub(crate) fn turned(polytope: &Polytope, by: [i64; 4]) -> Polytope {
     let quaternion = Quaternion::new(by.map(Integer::from)).expect("a rotation is not zero");
     polytope.transformed(&Affine3::rotation(&quaternion))
+}
+
+/// The hull of points.
+pub(crate) fn hull(points: &[[i64; 3]]) -> Polytope {
+    let points: Vec<Point3> = points.iter().map(|&point| Point3::from_i64(point)).collect();
+    convex_hull(&points).expect("there are points")
 }
 
 /// The sum of polytopes.

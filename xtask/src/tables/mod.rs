@@ -40,7 +40,11 @@ pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
 fn counted() -> Result<(), Failure> {
     let mut surprises = primal::run()?;
     surprises.extend(maps::run()?);
-    if surprises.is_empty() { Ok(()) } else { Err(format!("not as expected: {}", surprises.join(", ")).into()) }
+    if surprises.is_empty() {
+        Ok(())
+    } else {
+        Err(format!("not as expected: {}", surprises.join(", ")).into())
+    }
 }
 
 /// The files of models.

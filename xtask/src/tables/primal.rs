@@ -11,7 +11,9 @@ use crate::library::{self, Counts};
 /// If a model cannot be read.
 pub(super) fn run() -> Result<Vec<String>, Failure> {
     let mut surprises = Vec::new();
-    for (title, rows) in [("Table 3.3, primal: V/E/F", &POLYTOPES[..]), ("Table 3.4, primal: V/E/F", &SUMS[..])] {
+    for (title, rows) in
+        [("Table 3.3, primal: V/E/F", &POLYTOPES[..]), ("Table 3.4, primal: V/E/F", &SUMS[..])]
+    {
         head(title);
         for row in rows {
             surprises.extend(print(row)?);

@@ -3,11 +3,11 @@
 //! All primitive quaternions with small integer components are tried, one of each pair of opposite ones, the smallest first. For the
 //! spherical map that is also a search of the identification: a rotation about the axis of the poles moves it.
 
-use super::rows::{Map, POLYTOPES, Row, SUMS};
+use super::maps::columns;
 use super::paths;
+use super::rows::{POLYTOPES, Row, SUMS};
 use crate::Failure;
 use crate::library::{self, MapCounts};
-use polytope::Polytope;
 
 /// No component is larger.
 const LARGEST: i64 = 4;
@@ -28,9 +28,7 @@ pub(super) fn run(name: Option<&str>) -> Result<(), Failure> {
 fn search(row: &Row, turns: &[[i64; 4]]) -> Result<(), Failure> {
     // The map of a sum depends on the sum alone.
     let sum = library::sum(&library::polytopes(&paths(row.maps_of))?);
-    let columns: [(&str, &Map, fn(&[Polytope]) -> MapCounts); 2] =
-        [("SGM", &row.spherical, library::spherical_counts), ("CGM", &row.cubical, library::cubical_counts)];
-    for (column, map, count) in columns {
+    for (column, map, count) in columns(row) {
         let mut nearest: Option<(usize, [i64; 4], MapCounts)> = None;
         let mut tried = 0;
         for &turn in turns {
@@ -46,7 +44,10 @@ fn search(row: &Row, turns: &[[i64; 4]]) -> Result<(), Failure> {
         }
         if let Some((distance, turn, counted)) = nearest {
             let how = if distance == 0 { "found" } else { "nearest" };
-            println!("{} {column}: {how} {turn:?} after {tried}: {counted}, printed {}", row.name, map.printed);
+            println!(
+                "{} {column}: {how} {turn:?} after {tried}: {counted}, printed {}",
+                row.name, map.printed
+            );
         }
     }
     Ok(())
@@ -85,7 +86,11 @@ mod tests {
     fn turns_are_primitive_and_different() {
         let turns = turns();
         assert_eq!(turns[0], [1, 0, 0, 0]);
-        assert!(turns.contains(&[2, -1, 0, 3]) && !turns.contains(&[2, -2, 0, 4]) && !turns.contains(&[-1, 1, 0, 0]));
+        assert!(
+            turns.contains(&[2, -1, 0, 3])
+                && !turns.contains(&[2, -2, 0, 4])
+                && !turns.contains(&[-1, 1, 0, 0])
+        );
         let mut sorted = turns.clone();
         sorted.sort_unstable();
         sorted.dedup();

@@ -35,7 +35,9 @@ const DRIVERS: [(&str, &str, usize, f64); 3] =
 /// If a model cannot be read.
 pub(super) fn run() -> Result<(), Failure> {
     let drivers = DRIVERS.map(|(driver, ..)| Cgal::new(driver));
-    println!("Table 3.5: seconds from parsed meshes to the sum; LP is Fuk, hull is CH; printed: SGM, CGM, NGM, Fuk, CH\n");
+    println!(
+        "Table 3.5: seconds from parsed meshes to the sum; LP is Fuk, hull is CH; printed: SGM, CGM, NGM, Fuk, CH\n"
+    );
     let mut names: Vec<&str> = Method::ALL.iter().map(|method| method.name()).collect();
     names.extend(DRIVERS.map(|(_, name, ..)| name));
     let columns: Vec<String> = names.iter().map(|name| format!("{name:>9}")).collect();
@@ -71,9 +73,17 @@ fn print(row: &Row, printed: &Printed, drivers: &[Cgal; 3]) -> Result<Vec<String
     }
     let shown: Vec<String> = times
         .iter()
-        .map(|seconds| seconds.map_or_else(|| format!("{:>9}", "not run"), |seconds| format!("{seconds:>9.6}")))
+        .map(|seconds| {
+            seconds.map_or_else(|| format!("{:>9}", "not run"), |seconds| format!("{seconds:>9.6}"))
+        })
         .collect();
     let old: Vec<String> = printed.seconds.iter().map(|seconds| format!("{seconds:>5.2}")).collect();
-    println!("{:<26} | {} | {ratio:>8.1} | {} {:>6.1}", row.name, shown.join(" "), old.join(" "), printed.ratio);
+    println!(
+        "{:<26} | {} | {ratio:>8.1} | {} {:>6.1}",
+        row.name,
+        shown.join(" "),
+        old.join(" "),
+        printed.ratio
+    );
     Ok(missing)
 }

@@ -9,6 +9,7 @@ mod damaged;
 mod defects;
 mod encode;
 mod formats;
+mod gauss;
 mod invalid;
 mod locate;
 #[cfg(target_os = "linux")]

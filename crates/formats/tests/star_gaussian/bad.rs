@@ -49,25 +49,77 @@ const CHANGES: &[(&str, &str, &str)] = &[
         "OFF",
         "line 1: a file of OFF as a Gaussian map cannot be read; give a star file, which begins with `star 1 gaussian`",
     ),
-    ("star 1", "star 2", "line 1: star version 2 cannot be read; this program knows version 1 only: update it"),
-    ("surface sphere -1 0", "curve 0 circle 0 0 1", "line 2: `curve` where the second line `surface sphere DX DY` or `surface cube` was expected; correct it"),
+    (
+        "star 1",
+        "star 2",
+        "line 1: star version 2 cannot be read; this program knows version 1 only: update it",
+    ),
+    (
+        "surface sphere -1 0",
+        "curve 0 circle 0 0 1",
+        "line 2: `curve` where the second line `surface sphere DX DY` or `surface cube` was expected; correct it",
+    ),
     ("sphere -1 0", "torus 1 1", "line 2: `torus` where `sphere` or `cube` was expected; correct it"),
     ("sphere -1 0", "cube 1", "line 2: `1` where the end of the line was expected; correct it"),
-    ("sphere -1 0", "sphere -1", "line 2: the line ends where one of two coordinates of the identification arc was expected; complete it"),
-    ("sphere -1 0", "sphere 0 0", "line 2: the direction of the identification arc is zero; give one that is not"),
-    ("sphere -1 0", "sphere -2 0", "line 2: the map of the hull of all `primal` points has `surface sphere -1 0` here"),
-    ("primal 0 0 2", "primal 0 0", "line 10: the line ends where one of three coordinates was expected; complete it"),
+    (
+        "sphere -1 0",
+        "sphere -1",
+        "line 2: the line ends where one of two coordinates of the identification arc was expected; complete it",
+    ),
+    (
+        "sphere -1 0",
+        "sphere 0 0",
+        "line 2: the direction of the identification arc is zero; give one that is not",
+    ),
+    (
+        "sphere -1 0",
+        "sphere -2 0",
+        "line 2: the map of the hull of all `primal` points has `surface sphere -1 0` here",
+    ),
+    (
+        "primal 0 0 2",
+        "primal 0 0",
+        "line 10: the line ends where one of three coordinates was expected; complete it",
+    ),
     ("primal 0 0 2", "primal 0 0 2 0", "line 10: `0` where the end of the line was expected; correct it"),
-    ("primal 0 0 2", "primal 0 0 x", "line 10: `x` is no number; write an integer, a decimal or a fraction p/q"),
-    ("primal 0 0 2", "primal 0 0 2.0", "line 10: the map of the hull of all `primal` points has `primal 0 0 2` here"),
-    ("primal 0 0 2", "primal 0 1 2", "line 3: the map of the hull of all `primal` points has `curve 0 circle 0 1 2` here"),
+    (
+        "primal 0 0 2",
+        "primal 0 0 x",
+        "line 10: `x` is no number; write an integer, a decimal or a fraction p/q",
+    ),
+    (
+        "primal 0 0 2",
+        "primal 0 0 2.0",
+        "line 10: the map of the hull of all `primal` points has `primal 0 0 2` here",
+    ),
+    (
+        "primal 0 0 2",
+        "primal 0 1 2",
+        "line 3: the map of the hull of all `primal` points has `curve 0 circle 0 1 2` here",
+    ),
     ("primal 0 0 2", "primal 0 0 0", "line 3: the map of the hull of all `primal` points has `face 0` here"),
-    ("primal 0 0 2", "primal 0 0 -2", "line 7: the map of the hull of all `primal` points has `primal 0 0 -2` here"),
-    ("circle 0 0 1", "circle 0 0 1 1", "line 3: the map of the hull of all `primal` points has `curve 0 circle 0 0 1` here"),
-    ("vertex 0 -1 0 0 artificial", "vertex 0 -1 0 0", "line 4: the map of the hull of all `primal` points has `vertex 0 -1 0 0 artificial` here"),
+    (
+        "primal 0 0 2",
+        "primal 0 0 -2",
+        "line 7: the map of the hull of all `primal` points has `primal 0 0 -2` here",
+    ),
+    (
+        "circle 0 0 1",
+        "circle 0 0 1 1",
+        "line 3: the map of the hull of all `primal` points has `curve 0 circle 0 0 1` here",
+    ),
+    (
+        "vertex 0 -1 0 0 artificial",
+        "vertex 0 -1 0 0",
+        "line 4: the map of the hull of all `primal` points has `vertex 0 -1 0 0 artificial` here",
+    ),
     ("outer -0\n", "", "line 8: the map of the hull of all `primal` points has `outer -0` here"),
     ("outer +0\n", "", "line 11: the map of the hull of all `primal` points has `outer +0` here"),
-    ("outer +0\n", "outer +0\nisolated 0\n", "line 12: the map of the hull of all `primal` points has `end` here"),
+    (
+        "outer +0\n",
+        "outer +0\nisolated 0\n",
+        "line 12: the map of the hull of all `primal` points has `end` here",
+    ),
     ("primal 0 0 0\n", "", "line 3: the map of the hull of all `primal` points has `face 0` here"),
     ("end\n", "", "line 11: the file ends where a record or `end` was expected; complete it"),
     ("end\n", "end\nend\n", "line 13: `end` after the end of the map; remove it"),
@@ -123,7 +175,8 @@ fn messages_are_short() {
     let corners: Vec<[i64; 3]> = (0..40).map(|x| [x, x * x, 0]).chain([[20, 700, 1]]).collect();
     for map in maps(&hull(&corners)) {
         let text = write(&map);
-        let line = text.lines().filter(|line| line.starts_with("outer")).max_by_key(|line| line.len()).unwrap();
+        let line =
+            text.lines().filter(|line| line.starts_with("outer")).max_by_key(|line| line.len()).unwrap();
         let message = message(&text.replace(line, "outer +0"));
         assert!(message.len() < 400, "{message}");
     }
@@ -132,7 +185,8 @@ fn messages_are_short() {
 /// Whatever is done to a text: it is refused, or means the same.
 #[test]
 fn damaged_texts_are_refused_or_mean_the_same() {
-    let splices: [&[u8]; 8] = [b"primal 1 2 3\n", b"face 9\n", b" 0", b"\n", b"end\n", b"-", b"1/2", b"surface cube\n"];
+    let splices: [&[u8]; 8] =
+        [b"primal 1 2 3\n", b"face 9\n", b" 0", b"\n", b"end\n", b"-", b"1/2", b"surface cube\n"];
     let mut rng = Rng::new(99);
     for name in ["convex/cube.off", "convex/octahedron.off", "maxfacets/p5.off"] {
         for map in maps(&model(name)) {

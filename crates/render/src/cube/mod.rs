@@ -98,7 +98,8 @@ fn lines(
 /// Those that are artificial below the others.
 fn vertices(map: &CubicalArrangement, look: Look) -> Result<Layer, RenderError> {
     let mut vertices = Layer::new("vertices");
-    let artificial = Style::filled("vertex artificial", Colour::WHITE).with_stroke(Stroke::new(Colour::GREY, 1.0));
+    let artificial =
+        Style::filled("vertex artificial", Colour::WHITE).with_stroke(Stroke::new(Colour::GREY, 1.0));
     for is_real in [false, true] {
         for side in CubeSide::ALL {
             let dcel = map.side(side).dcel();

@@ -33,7 +33,8 @@ pub fn write_gaussian_map(map: &StarGaussianMap) -> Vec<u8> {
     match map {
         StarGaussianMap::Spherical(map) => {
             put_sphere(map.arrangement(), &mut text, |text, face| put_primal(text, map.point(face)));
-        } StarGaussianMap::Cubical(map) => put_cube(map, &mut text),
+        }
+        StarGaussianMap::Cubical(map) => put_cube(map, &mut text),
     }
     text.extend_from_slice(b"end\n");
     text
