@@ -114,8 +114,9 @@
 //! called `approx_*` and by writing floats on request. Degenerate input is no error. Malformed input is an error
 //! that names the place, and no input panics, unless the documentation of the function says so.
 
-// The examples of the README are tests of this crate.
+// The examples of the README and of the page on Gaussian maps are tests of this crate.
 #![cfg_attr(doctest, doc = include_str!("../../../README.md"))]
+#![cfg_attr(doctest, doc = include_str!("../../../docs/gauss.md"))]
 
 pub use {arrangement, cubical, dcel, exact, formats, gauss, graph, polytope, render};
 
