@@ -34,10 +34,10 @@ pub(super) fn label(side: CubeSide) -> (Point, [f64; 2], Anchor) {
     let ([x, y], _) = SIDES[side.index()];
     match (side.axis(), side.is_positive()) {
         // Above and below the cross.
-        (2, true) => ([x, y + 1.0], [0.0, 6.0], Anchor::Middle),
+        (2, true) => ([x, y + 1.0], [0.0, 10.0], Anchor::Middle),
         (2, false) => ([x, y - 1.0], [0.0, -16.0], Anchor::Middle),
         // In the middle there is room nowhere but in the corner between two others.
-        (0, true) => ([x - 1.0, y + 1.0], [-6.0, 6.0], Anchor::End),
+        (0, true) => ([x - 1.0, y + 1.0], [-8.0, 10.0], Anchor::End),
         _ => ([x, y - 1.0], [0.0, -16.0], Anchor::Middle),
     }
 }
