@@ -12,7 +12,7 @@ mod swept_again;
 
 use exact::Rational;
 use splitstar_formats::{CurveFile, CurvePoint, Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
-use splitstar_formats::{StarArrangement, read_arrangement, read_points, write_arrangement};
+use splitstar_formats::{StarArrangement, read_arrangement, read_gaussian_map, read_points, write_arrangement, write_gaussian_map};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::LazyLock;
@@ -140,6 +140,22 @@ fn points_of(curve: &InputCurve) -> &[CurvePoint] {
 fn is_far([p, q]: &[Rational; 2], curve: &InputCurve) -> bool {
     let far = |x: &Rational, period: &Rational| x.abs() > Rational::from(100) * period;
     points_of(curve).iter().map(|point| point.coordinates()).any(|[x, y]| far(&x, p) || far(&y, q))
+}
+
+/// Reads bytes as a Gaussian map. A message must be one short line; a map must come back with the text that it is given, and be a model.
+pub fn check_gaussian_map(bytes: &[u8]) {
+    let map = match read_gaussian_map(bytes, None) {
+        Ok(map) => map,
+        Err(error) => {
+            let message = error.to_string();
+            assert!(message.len() < 600 && !message.contains(char::is_control), "{message:?}");
+            return;
+        }
+    };
+    let text = write_gaussian_map(&map);
+    let again = read_gaussian_map(&text, None).expect("what was read can be read again");
+    assert_eq!(String::from_utf8_lossy(&write_gaussian_map(&again)), String::from_utf8_lossy(&text));
+    assert!(read(&text, None).is_ok());
 }
 
 /// Reads bytes as an arrangement. A message must be one short line; an arrangement must come back with the text that it is given.

@@ -177,7 +177,7 @@ fn compare_lines(
 /// What is said of a line that is not this one.
 fn sentence(line: &[Token<'_>]) -> String {
     /// So many words of a line are shown.
-    const MANY: usize = 12;
+    const MANY: usize = 8;
     let shown: Vec<String> = line.iter().take(MANY).map(Token::shown).collect();
     let rest = if line.len() > MANY { " ..." } else { "" };
     format!(
