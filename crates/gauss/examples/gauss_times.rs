@@ -1,7 +1,7 @@
 //! Times of the spherical Gaussian map on two models of the repository: maps, overlay, back to a polytope.
 //!
-//! `cargo run --release -p splitstar-gauss --example gauss_times -- [ROUNDS] [MODEL MODEL]`; the least of all rounds is written. With `growth` in place
-//! of the arguments: geodesic spheres and turned ones of growing size, and the time for each cell of their sum.
+//! `cargo run --release -p splitstar-gauss --example gauss_times -- [ROUNDS] [MODEL MODEL]`; the least of all rounds is written. With `growth
+//! [FREQUENCY...]` in place of the arguments: geodesic spheres and turned ones of growing size, and the time for each edge of their sum.
 
 use polytope::Polytope;
 use splitstar_gauss::SphericalGaussianMap;
@@ -26,7 +26,7 @@ fn least<T>(rounds: usize, step: impl Fn() -> T) -> (f64, T) {
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
     if arguments.first().is_some_and(|text| text == "growth") {
-        return growth();
+        return growth(&arguments[1..]);
     }
     let rounds = arguments.first().map_or(20, |text| text.parse().expect("a number of rounds"));
     let names = match &arguments[..] {
@@ -58,9 +58,13 @@ fn main() {
 }
 
 #[expect(clippy::print_stdout, reason = "an example that writes a table")]
-fn growth() {
+fn growth(arguments: &[String]) {
+    let frequencies: Vec<usize> = match arguments {
+        [] => vec![4, 8, 16, 32, 64],
+        _ => arguments.iter().map(|text| text.parse().expect("a frequency")).collect(),
+    };
     println!("  edges  of the sum  maps and sum  for each edge of the sum");
-    for frequency in [4, 8, 16, 32, 64] {
+    for frequency in frequencies {
         let sphere =
             Polytope::from_mesh(&geodesic_sphere(frequency, 6), &mut Vec::new()).expect("a convex mesh");
         let turned = sphere.transformed(&rotation([7, -3, 2, 1]));
