@@ -1,11 +1,13 @@
 //! Times of the spherical Gaussian map on two models of the repository: maps, overlay, back to a polytope.
 //!
-//! `cargo run --release -p splitstar-gauss --example gauss_times -- [ROUNDS] [MODEL MODEL]`; the least of all rounds is written.
+//! `cargo run --release -p splitstar-gauss --example gauss_times -- [ROUNDS] [MODEL MODEL]`; the least of all rounds is written. With `growth
+//! [FREQUENCY...]` in place of the arguments: geodesic spheres and turned ones of growing size, and the time for each edge of their sum.
 
+use polytope::Polytope;
 use splitstar_gauss::SphericalGaussianMap;
 use std::hint::black_box;
 use std::time::Instant;
-use testkit::model;
+use testkit::{geodesic_sphere, model, rotation};
 
 /// The least of so many times of a step, in milliseconds, and what it makes.
 fn least<T>(rounds: usize, step: impl Fn() -> T) -> (f64, T) {
@@ -23,6 +25,9 @@ fn least<T>(rounds: usize, step: impl Fn() -> T) -> (f64, T) {
 #[expect(clippy::print_stdout, reason = "an example that writes a table")]
 fn main() {
     let arguments: Vec<String> = std::env::args().skip(1).collect();
+    if arguments.first().is_some_and(|text| text == "growth") {
+        return growth(&arguments[1..]);
+    }
     let rounds = arguments.first().map_or(20, |text| text.parse().expect("a number of rounds"));
     let names = match &arguments[..] {
         [_, p, q] => [p.as_str(), q.as_str()],
@@ -50,4 +55,24 @@ fn main() {
     println!("back to a polytope  {back:8.3} ms");
     println!("reflection          {mirror:8.3} ms");
     println!("direct overlay      {direct:8.3} ms");
+}
+
+#[expect(clippy::print_stdout, reason = "an example that writes a table")]
+fn growth(arguments: &[String]) {
+    let frequencies: Vec<usize> = match arguments {
+        [] => vec![4, 8, 16, 32, 64],
+        _ => arguments.iter().map(|text| text.parse().expect("a frequency")).collect(),
+    };
+    println!("  edges  of the sum  maps and sum  for each edge of the sum");
+    for frequency in frequencies {
+        let sphere =
+            Polytope::from_mesh(&geodesic_sphere(frequency, 6), &mut Vec::new()).expect("a convex mesh");
+        let turned = sphere.transformed(&rotation([7, -3, 2, 1]));
+        let (time, sum) = least(3, || {
+            let [a, b] = [&sphere, &turned].map(SphericalGaussianMap::of_polytope);
+            a.minkowski_sum(&b)
+        });
+        let (edges, of_sum) = (sphere.counts().edges, sum.counts_with_splits().edges);
+        println!("{edges:7}  {of_sum:10}  {time:9.2} ms  {:6.0} ns", time * 1e6 / of_sum as f64);
+    }
 }

@@ -123,6 +123,16 @@ impl Polytope {
     ///
     /// # Complexity
     /// Linear; in debug builds that of [`Polytope::check_valid`].
+    ///
+    /// ```
+    /// use exact::Point3;
+    /// use splitstar_polytope::{Facets, Polytope};
+    /// let points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map(Point3::from_i64);
+    /// let mut facets = Facets::new();
+    /// [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]].iter().for_each(|cycle| facets.push(cycle));
+    /// let tetrahedron = Polytope::from_trusted_facets(points.to_vec(), &facets);
+    /// assert_eq!(tetrahedron.volume().to_string(), "1/6");
+    /// ```
     pub fn from_trusted_facets(points: Vec<Point3>, facets: &Facets) -> Self {
         let polytope = Self::from_convex_facets(points, facets);
         debug_assert_eq!(polytope.check_valid(), [], "the facets bound a convex solid");

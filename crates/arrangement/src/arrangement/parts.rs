@@ -74,6 +74,14 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     ///
     /// # Complexity
     /// Constant; in debug builds that of [`Arrangement::from_parts`].
+    ///
+    /// ```
+    /// use splitstar_arrangement::{Arrangement, models::{Segment, SegmentTraits}, topology::BoundedPlane};
+    /// let segment = Segment::from_i64([[0, 0], [2, 1]]).expect("the ends are different");
+    /// let whole = Arrangement::of_curves(SegmentTraits, BoundedPlane, &[segment]);
+    /// let again = Arrangement::from_trusted_parts(SegmentTraits, BoundedPlane, whole.clone().into_parts());
+    /// assert!(again.is_isomorphic(&whole));
+    /// ```
     pub fn from_trusted_parts(traits: G, topology: T, parts: Parts<G>) -> Self {
         let arrangement = Self::of_valid_parts(traits, topology, parts);
         debug_assert_eq!(arrangement.find_violations(ENOUGH), [], "the parts fit");

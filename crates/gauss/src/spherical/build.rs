@@ -30,7 +30,24 @@ impl SphericalGaussianMap {
     /// To be overlaid without more work, maps need the same identification; the [reflection](Self::reflected) of a map has the opposite one.
     ///
     /// # Complexity
-    /// O(n log n) for n edges.
+    /// O(n log n) for n edges. The map of a solid is read off its halfedges, without a sweep; only its vertices are sorted.
+    ///
+    /// ```
+    /// use arrangement::models::GeodesicTraits;
+    /// use exact::Point3;
+    /// use polytope::convex_hull;
+    /// use splitstar_gauss::SphericalGaussianMap;
+    /// let corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map(Point3::from_i64);
+    /// let tetrahedron = convex_hull(&corners).expect("there are points");
+    /// let usual = SphericalGaussianMap::of_polytope(&tetrahedron);
+    /// let opposite = GeodesicTraits::with_identification([1.into(), 0.into()]).expect("not zero");
+    /// let other = SphericalGaussianMap::of_polytope_with(&tetrahedron, opposite);
+    /// // Vertices at which arcs were cut are told apart.
+    /// assert_eq!(usual.counts(), other.counts());
+    /// // The difference body: no map has to be identified anew.
+    /// let difference = usual.minkowski_sum(&other.reflected());
+    /// assert_eq!(difference.counts().to_array(), [12, 24, 14]);
+    /// ```
     pub fn of_polytope_with(polytope: &Polytope, traits: GeodesicTraits) -> Self {
         let mesh = polytope.mesh();
         let circles: Vec<GreatCircle> = mesh.edges().map(|h| circle_of(polytope, h)).collect();
@@ -55,7 +72,7 @@ impl SphericalGaussianMap {
         Self::of_arcs(traits, arcs, polytope.points())
     }
 
-    /// Gives the same map on a sphere with another identification.
+    /// Gives the same map on a sphere with another identification: its arcs, put together where they were cut, are cut and swept over again.
     ///
     /// # Complexity
     /// O(n log n) for n edges.

@@ -211,7 +211,7 @@ impl Vertices {
         let mut numbers = vec![POLES[0]; normals.len() + cuts.len()];
         let mut is_artificial = vec![true; 2];
         let mut order: Vec<(u64, u32)> = Vec::with_capacity(numbers.len());
-        for i in 0..numbers.len() {
+        for (i, number) in numbers.iter_mut().enumerate() {
             let p = place(i);
             let pole = match p.pole_sign() {
                 Sign::Zero => {
@@ -221,7 +221,7 @@ impl Vertices {
                 Sign::Negative => POLES[0],
                 Sign::Positive => POLES[1],
             };
-            numbers[i] = pole;
+            *number = pole;
             is_artificial[pole.index()] = false;
         }
         // Different keys that are not zero tell the order.

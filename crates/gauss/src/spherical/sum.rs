@@ -2,7 +2,7 @@
 
 use super::SphericalGaussianMap;
 use arrangement::overlay::overlay_all;
-use exact::Point3;
+use exact::{Adder, Point3};
 use polytope::Polytope;
 use std::borrow::Cow;
 
@@ -31,7 +31,7 @@ impl SphericalGaussianMap {
     /// O((n + k) log n) for n edges of the summands and k vertices of the overlay, and O(m) sums of points for m vertices of the sum and each summand.
     ///
     /// ```
-    /// use exact::Point3;
+    /// use exact::{Adder, Point3};
     /// use polytope::Polytope;
     /// use splitstar_gauss::SphericalGaussianMap;
     /// let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|p| Polytope::segment(Point3::ORIGIN, Point3::from_i64(p)));
@@ -55,10 +55,12 @@ impl SphericalGaussianMap {
             .collect();
         let operands: Vec<_> = aligned.iter().map(|map| &map.arrangement).collect();
         let (arrangement, provenance) = overlay_all(&operands);
+        let mut adder = Adder::default();
         let sum_of = |f| {
             let faces = provenance.of_face(f).iter().zip(&aligned);
             let points = faces.map(|(&face, map)| Cow::Borrowed(map.point(face)));
-            points.reduce(|a, b| Cow::Owned(a.plus(&b))).expect("there are summands").into_owned()
+            let sum = points.reduce(|a, b| Cow::Owned(adder.sum(&a, &b)));
+            sum.expect("there are summands").into_owned()
         };
         let points = arrangement.dcel().faces().map(sum_of).collect();
         Self { arrangement, points }

@@ -4,3 +4,4 @@ mod degenerate;
 mod features;
 mod models;
 mod random;
+mod violations;

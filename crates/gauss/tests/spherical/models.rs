@@ -89,3 +89,17 @@ fn an_arc_through_a_pole() {
     check_maps(&p, "an arc through a pole");
     check_sum(&p, &model("convex/cube.off"), "an arc through a pole, and the cube");
 }
+
+/// Two of the family in chapter 4 of the thesis have 4mn - 9m - 9n + 26 facets.
+#[test]
+fn the_maximal_family() {
+    for m in [4, 5, 7, 11] {
+        for n in [4, 7, 21] {
+            let p = model(&format!("maxfacets/p{m}.off"));
+            let q = model(&format!("maxfacets/p{n}_rot90y.off"));
+            check_sum(&p, &q, &format!("{m} and {n}"));
+            let sum = sum_of(&[p, q]);
+            assert_eq!(sum.counts().facets, 4 * m * n + 26 - 9 * (m + n), "{m} and {n}");
+        }
+    }
+}

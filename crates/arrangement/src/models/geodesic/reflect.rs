@@ -28,6 +28,17 @@ impl GeodesicTraits {
     ///
     /// # Complexity
     /// Linear in the number of edges at the pole.
+    ///
+    /// ```
+    /// use exact::spherical::GreatCircle;
+    /// use splitstar_arrangement::models::{Geodesic, GeodesicTraits};
+    /// use splitstar_arrangement::{Arrangement, topology::Sphere, traits::CurveEnd};
+    /// let traits = GeodesicTraits::new();
+    /// let equator = Geodesic::circle(GreatCircle::from_i64([0, 0, 1]).expect("not zero"));
+    /// let halves = Arrangement::of_curves(traits.clone(), Sphere, [&equator]);
+    /// let corners = [CurveEnd::Min, CurveEnd::Max].map(|pole| traits.corner_face(halves.dcel(), |e| halves.curve_of(e), pole));
+    /// assert!(corners[0] == halves.corner_face() && corners[0] != corners[1]);
+    /// ```
     pub fn corner_face<'c>(
         &self,
         dcel: &Dcel,
