@@ -2,4 +2,4 @@
 
 mod cubical;
 
-pub use crate::cubical::CubicalGaussianMap;
+pub use crate::cubical::{CubicalGaussianMap, CubicalGaussianViolation};
