@@ -8,11 +8,11 @@ use testkit::hull;
 
 fn rows() -> Vec<(&'static str, Polytope)> {
     let cube: Vec<[i64; 3]> = (0..8).map(|i| [i & 1, i >> 1 & 1, i >> 2]).collect();
-    let cuboctahedron: Vec<[i64; 3]> = (0..12)
+    let cuboctahedron: Vec<[i64; 3]> = (0..12_i64)
         .map(|i| {
-            let (axis, s, t) = (i / 4, 2 * (i & 1) - 1, 2 * (i >> 1 & 1) - 1);
+            let (axis, s, t) = ((i / 4) as usize, 2 * (i & 1) - 1, 2 * (i >> 1 & 1) - 1);
             let mut p = [0; 3];
-            (p[(axis + 1) % 3], p[(axis + 2) % 3]) = (s as i64, t as i64);
+            (p[(axis + 1) % 3], p[(axis + 2) % 3]) = (s, t);
             p
         })
         .collect();
