@@ -3,9 +3,9 @@
 use crate::map::{CubicalArrangement, SideArrangement};
 use crate::pieces::{CubicalPieces, SidePieces, border_of, side_behind};
 use crate::stitch::{Patch, stitch};
+use arrangement::Arrangement;
 use arrangement::models::{Segment, SegmentTraits};
 use arrangement::topology::BoundedPlane;
-use arrangement::{Arrangement, Pieces};
 use dcel::EdgeId;
 use exact::gnomonic::CubeSide;
 use exact::planar::{Point2, compare_xy};
@@ -55,22 +55,20 @@ impl Default for CubicalArrangement {
 
 /// The arrangement of what is on one side, and the arcs of its edges.
 fn sweep_side(side: CubeSide, pieces: SidePieces) -> (Patch, Vec<Option<u32>>) {
-    let SidePieces { segments, arcs, points, border_points, covered } = pieces;
-    let mut input = Pieces::new();
+    let SidePieces { mut pieces, arcs, border_points, covered } = pieces;
+    let real = pieces.curves().len();
     for (border, covered) in covered.into_iter().enumerate() {
         for segment in uncovered(side, border, covered) {
-            input.push_curve(segment);
+            pieces.push_curve(segment);
         }
     }
-    let artificial = input.curves().len();
-    segments.into_iter().for_each(|segment| input.push_curve(segment));
-    points.into_iter().for_each(|point| input.push_point(point));
-    let arrangement: SideArrangement = Arrangement::of_pieces(SegmentTraits, BoundedPlane, input);
+    let artificial = real..pieces.curves().len();
+    let arrangement: SideArrangement = Arrangement::of_pieces(SegmentTraits, BoundedPlane, pieces);
     let support = |e: usize| arrangement.support(EdgeId::new(e)).index();
     let edges = arrangement.dcel().edge_bound();
     // What is artificial overlaps nothing; where several arcs overlap, the support is none of them.
-    let is_real_edge = (0..edges).map(|e| support(e) >= artificial).collect();
-    let of_edges = (0..edges).map(|e| arcs.get(support(e).checked_sub(artificial)?).copied()).collect();
+    let is_real_edge = (0..edges).map(|e| !artificial.contains(&support(e))).collect();
+    let of_edges = (0..edges).map(|e| arcs.get(support(e)).copied()).collect();
     let is_given = given_on_border(&arrangement, border_points);
     (Patch { arrangement, is_real_edge, is_given }, of_edges)
 }

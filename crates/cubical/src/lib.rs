@@ -53,6 +53,6 @@ pub use exact::gnomonic::{CubeSide, SideSet};
 pub use locate::CubicalCell;
 pub use map::{At, CubicalArrangement, CubicalFaceId, Place, SideArrangement};
 pub use overlay::{CubicalProvenance, overlay_all};
-pub use pieces::CubicalPieces;
+pub use pieces::{ArcEnd, CubicalPieces};
 pub use validity::CubicalViolation;
 pub use view::RealView;

@@ -1,6 +1,7 @@
 //! Arcs, circles and points of the sphere, cut along the edges of the cube.
 
-use arrangement::models::{Geodesic, Segment};
+use arrangement::Pieces;
+use arrangement::models::{Geodesic, Segment, SegmentTraits};
 use exact::gnomonic::{CubeSide, Exit, SideSet};
 use exact::planar::{Point2, compare_xy};
 use exact::spherical::{Direction, GreatCircle, crossing_side};
@@ -10,11 +11,10 @@ use std::cmp::Ordering;
 /// What comes to one side of the cube.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct SidePieces {
-    pub(crate) segments: Vec<Segment>,
+    /// Segments; points of their own, and ends of arcs on edges of the cube.
+    pub(crate) pieces: Pieces<SegmentTraits>,
     /// For each segment, the number of its arc.
     pub(crate) arcs: Vec<u32>,
-    /// Points of their own, and ends of arcs on edges of the cube.
-    pub(crate) points: Vec<Point2>,
     /// Those of the points that are on the border of the square.
     pub(crate) border_points: Vec<Point2>,
     /// What arcs cover of the border, in the order of [`border_of`].
@@ -53,6 +53,22 @@ pub(crate) fn side_behind(side: CubeSide, border: usize) -> CubeSide {
 pub struct CubicalPieces {
     pub(crate) sides: [SidePieces; 6],
     arc_count: u32,
+    ends: Vec<End>,
+    /// The places of all ends on their sides.
+    places: Vec<Point2>,
+}
+
+/// Names an end of arcs: see [`CubicalPieces::add_end`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ArcEnd(u32);
+
+/// An end of arcs.
+#[derive(Clone, Debug)]
+struct End {
+    direction: Direction,
+    sides: SideSet,
+    /// Where its places begin, one for each side.
+    first_place: usize,
 }
 
 /// Where an arc runs on: across a side, or along the edge between two.
@@ -88,22 +104,42 @@ impl CubicalPieces {
 
     /// Appends a point. Where it lies on no arc, it becomes an isolated vertex.
     pub fn push_point(&mut self, point: &Direction) {
-        self.push_site(point, CubeSide::of(point), true);
+        let sides = CubeSide::of(point);
+        for side in sides {
+            self.push_site(side, point_on(side, point), sides.count_sides() > 1);
+        }
     }
 
-    /// Appends a point on the sides on which it lies; one within a side only if asked to.
-    fn push_site(&mut self, point: &Direction, sides: SideSet, with_inner: bool) {
-        let is_on_border = sides.count_sides() > 1;
-        if !is_on_border && !with_inner {
-            return;
+    fn push_site(&mut self, side: CubeSide, place: Point2, is_on_border: bool) {
+        let pieces = &mut self.sides[side.index()];
+        if is_on_border {
+            pieces.border_points.push(place.clone());
         }
+        pieces.pieces.push_point(place);
+    }
+
+    /// Adds an end for arcs to come, and projects it to its sides: once, for any number of arcs.
+    ///
+    /// Degenerate: an end of no arc is a vertex if it lies on an edge of the cube, and nothing if not.
+    pub fn add_end(&mut self, direction: &Direction) -> ArcEnd {
+        let (sides, first_place) = (CubeSide::of(direction), self.places.len());
         for side in sides {
-            let place = point_on(side, point);
-            if is_on_border {
-                self.sides[side.index()].border_points.push(place.clone());
+            let place = point_on(side, direction);
+            if sides.count_sides() > 1 {
+                self.push_site(side, place.clone(), true);
             }
-            self.sides[side.index()].points.push(place);
+            self.places.push(place);
         }
+        let end = ArcEnd(u32::try_from(self.ends.len()).expect("fewer than 2^32 ends"));
+        self.ends.push(End { direction: direction.clone(), sides, first_place });
+        end
+    }
+
+    /// The place of an end on one of its sides.
+    fn place_of(&self, ArcEnd(end): ArcEnd, side: CubeSide) -> &Point2 {
+        let End { sides, first_place, .. } = &self.ends[end as usize];
+        let before = sides.take_while(|&other| other != side).count();
+        &self.places[first_place + before]
     }
 
     /// Appends a whole great circle. It has no vertex of its own.
@@ -130,19 +166,28 @@ impl CubicalPieces {
     /// # Preconditions
     /// Both points lie on the circle: debug builds check it.
     pub fn push_arc(&mut self, circle: &GreatCircle, source: &Direction, target: &Direction) {
-        let [starts, stops] = [source, target].map(CubeSide::of);
-        self.push_site(source, starts, false);
-        self.push_site(target, stops, false);
-        let way = entered(circle, source, starts);
-        self.walk(circle, way, point_on(way.first(), source), Stop::At(target, stops));
+        let [source, target] = [source, target].map(|end| self.add_end(end));
+        self.push_arc_between(circle, source, target);
+    }
+
+    /// Appends the arc of a circle from one end to another, as [`CubicalPieces::push_arc`] does.
+    ///
+    /// # Panics
+    /// If an end is of other pieces, perhaps; debug builds: if one is not on the circle.
+    pub fn push_arc_between(&mut self, circle: &GreatCircle, source: ArcEnd, target: ArcEnd) {
+        let End { direction, sides, .. } = &self.ends[source.0 as usize];
+        let way = entered(circle, direction, *sides);
+        let here = self.place_of(source, way.first()).clone();
+        self.walk(circle, way, here, Stop::At(target));
         self.arc_count += 1;
     }
 
     /// Follows a circle from a point of the first side of a way.
-    fn walk(&mut self, circle: &GreatCircle, mut way: Way, mut here: Point2, stop: Stop<'_>) {
+    fn walk(&mut self, circle: &GreatCircle, mut way: Way, mut here: Point2, stop: Stop) {
         let mut is_first = true;
         loop {
-            let end = stop.on(way).filter(|end| !is_first || is_ahead(circle, way.first(), &here, end));
+            let end =
+                self.end_on(stop, way).filter(|end| !is_first || is_ahead(circle, way.first(), &here, end));
             is_first = false;
             match way {
                 Way::Across(side) => {
@@ -188,34 +233,33 @@ impl CubicalPieces {
         }
     }
 
+    /// The place at which a walk is to stop, if it lies on the way.
+    fn end_on(&self, stop: Stop, way: Way) -> Option<Point2> {
+        let Stop::At(target) = stop else { return None };
+        let sides = self.ends[target.0 as usize].sides;
+        let is_on_way = match way {
+            Way::Across(side) => sides.contains(side),
+            Way::Along(both) => both.iter().all(|&side| sides.contains(side)),
+        };
+        is_on_way.then(|| self.place_of(target, way.first()).clone())
+    }
+
     fn push_segment(&mut self, side: CubeSide, circle: &GreatCircle, source: Point2, target: Point2) {
         let line = side.line_of(circle).expect("the circle passes through the side");
         let segment = Segment::on_line(line, source, target).expect("a circle has a way through a side");
         let pieces = &mut self.sides[side.index()];
-        pieces.segments.push(segment);
+        pieces.pieces.push_curve(segment);
         pieces.arcs.push(self.arc_count);
     }
 }
 
 /// Where a walk stops.
 #[derive(Clone, Copy)]
-enum Stop<'a> {
-    /// At a point, with the sides on which it lies.
-    At(&'a Direction, SideSet),
+enum Stop {
+    /// At an end.
+    At(ArcEnd),
     /// Where it leaves a side.
     AfterSide(CubeSide),
-}
-
-impl Stop<'_> {
-    /// The point at which the walk is to stop, if it lies on the way.
-    fn on(self, way: Way) -> Option<Point2> {
-        let Self::At(target, sides) = self else { return None };
-        let is_on_way = match way {
-            Way::Across(side) => sides.contains(side),
-            Way::Along(both) => both.iter().all(|&side| sides.contains(side)),
-        };
-        is_on_way.then(|| point_on(way.first(), target))
-    }
 }
 
 impl Way {

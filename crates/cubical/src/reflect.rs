@@ -5,7 +5,7 @@ use crate::stitch::{Patch, stitch};
 use arrangement::models::{Segment, SegmentTraits};
 use arrangement::topology::BoundedPlane;
 use arrangement::{Arrangement, Pieces};
-use dcel::{EdgeId, HalfedgeId};
+use dcel::{EdgeId, HalfedgeId, VertexId};
 use exact::gnomonic::CubeSide;
 use exact::planar::Point2;
 
@@ -67,20 +67,15 @@ impl CubicalArrangement {
         let own = &self.sides[from.index()];
         let dcel = own.arrangement.dcel();
         let points: Vec<Option<Point2>> = (0..dcel.vertex_bound())
-            .map(|v| {
-                let point = own.arrangement.point(dcel::VertexId::new(v))?;
-                side.point_of(&from.direction_of(point).opposite())
-            })
+            .map(|v| own.arrangement.point(VertexId::new(v)).map(CubeSide::antipodal_point))
             .collect();
-        let point = |v: dcel::VertexId| {
-            points[v.index()].clone().expect("an opposite point lies on the opposite side")
-        };
+        let point =
+            |v: VertexId| points[v.index()].clone().expect("an opposite point lies on the opposite side");
         let mut pieces = Pieces::new();
         let mut sources = Vec::with_capacity(dcel.edge_count());
         for e in dcel.edges() {
             let [min, max] = dcel.ends(e);
-            let circle = from.circle_of(own.arrangement.curve_of(e).line());
-            let line = side.line_of(&circle).expect("a line has its image");
+            let line = CubeSide::antipodal_line(own.arrangement.curve_of(e).line());
             let segment = Segment::on_line(line, point(min), point(max)).expect("ends are different");
             sources.push(if segment.is_directed_right() { e.halfedge() } else { e.halfedge().twin() });
             pieces.push_curve(segment);

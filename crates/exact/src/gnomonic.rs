@@ -176,6 +176,28 @@ impl CubeSide {
         Direction::new(coordinates).expect("a weight is not zero")
     }
 
+    /// The antipodal point of one on any side, on the opposite side.
+    ///
+    /// That is (-v, -u) for (u, v), whatever the side is.
+    ///
+    /// ```
+    /// use exact::gnomonic::CubeSide;
+    /// use exact::planar::Point2;
+    /// let (side, point) = (CubeSide::new(1, true), Point2::from_i64([3, 5]));
+    /// let antipodal = CubeSide::antipodal_point(&point);
+    /// assert_eq!(side.opposite().direction_of(&antipodal), side.direction_of(&point).opposite());
+    /// ```
+    pub fn antipodal_point(p: &Point2) -> Point2 {
+        p.reflected_at_antidiagonal()
+    }
+
+    /// The line of the antipodal points of one on any side, on the opposite side.
+    ///
+    /// Law: both are projections of the same great circle.
+    pub fn antipodal_line(line: &Line2) -> Line2 {
+        line.reflected_at_antidiagonal()
+    }
+
     /// The great circle of which a line is the projection; what is above the line is on its positive side.
     pub fn circle_of(self, line: &Line2) -> GreatCircle {
         let ([u, v], [a, b, c]) = (self.axes(), line.coefficients());

@@ -15,5 +15,5 @@
 mod cubical;
 mod spherical;
 
-pub use crate::cubical::CubicalGaussianMap;
+pub use crate::cubical::{CubicalGaussianMap, CubicalGaussianViolation};
 pub use spherical::{GaussianViolation, SphericalGaussianMap};

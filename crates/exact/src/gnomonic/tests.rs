@@ -78,6 +78,9 @@ fn projection_and_its_inverse() {
                 };
                 assert!(at > 0);
                 assert_eq!(side.direction_of(&point), direction, "{p:?} on {side}");
+                let antipodal = CubeSide::antipodal_point(&point);
+                assert_eq!(side.opposite().direction_of(&antipodal), direction.opposite());
+                assert_eq!(side.opposite().point_of(&direction.opposite()), Some(antipodal));
                 let [u, v] = side
                     .axes()
                     .map(|axis| crate::Rational::new(p[axis].into(), at.into()).expect("not zero"));
@@ -98,6 +101,7 @@ fn lines_and_circles_have_the_same_sides() {
             };
             let lifted = side.circle_of(&line);
             assert!(lifted.is_same_set(&circle));
+            assert_eq!(side.opposite().line_of(&circle), Some(CubeSide::antipodal_line(&line)));
             for p in small_vectors() {
                 let p = direction(p);
                 if let Some(point) = side.point_of(&p) {
@@ -121,9 +125,11 @@ fn wide_circles_and_directions() {
     assert_eq!(side, CubeSide::new(1, false));
     let point = side.point_of(&p).expect("it is on the side");
     assert_eq!(side.direction_of(&point), p);
+    assert_eq!(side.opposite().direction_of(&CubeSide::antipodal_point(&point)), p.opposite());
     for side in CubeSide::ALL {
         let line = side.line_of(&wide_circle).expect("not parallel");
         assert!(side.circle_of(&line).is_same_set(&wide_circle));
+        assert_eq!(side.opposite().line_of(&wide_circle), Some(CubeSide::antipodal_line(&line)));
         if let Some(Exit::Edge { to, here, there }) = side.exit(&wide_circle) {
             assert_eq!(side.direction_of(&here), to.direction_of(&there));
         }

@@ -89,7 +89,11 @@ impl Line2 {
     pub fn through(p: &Point2, q: &Point2) -> Option<Self> {
         let (Some(&[px, py, pw]), Some(&[qx, qy, qw])) = (p.as_narrow(), q.as_narrow()) else {
             let ([px, py, pw], [qx, qy, qw]) = (p.homogeneous(), q.homogeneous());
-            return Self::from_integers([&py * &qw - &qy * &pw, &qx * &pw - &px * &qw, &py * &qx - &px * &qy]);
+            return Self::from_integers([
+                &py * &qw - &qy * &pw,
+                &qx * &pw - &px * &qw,
+                &py * &qx - &px * &qy,
+            ]);
         };
         // Narrow numerators and weights are below 2^61.
         let c = i128::from(py) * i128::from(qx) - i128::from(px) * i128::from(qy);
@@ -187,6 +191,17 @@ impl Line2 {
         let coefficients = if turn { [-a, -b, -c] } else { [a, b, c] };
         let [a, b, c] = coefficients.each_ref().map(Integer::approx_f64);
         Self { approx_c: c, repr: Repr::Wide(Arc::new(WideLine { coefficients, approx: [a, b] })) }
+    }
+
+    /// The image under (x, y) -> (-y, -x).
+    pub(crate) fn reflected_at_antidiagonal(&self) -> Self {
+        match &self.repr {
+            Repr::Narrow { line, .. } => Self::of_coprime(-i128::from(line.b), -i128::from(line.a), line.c()),
+            Repr::Wide(line) => {
+                let [a, b, c] = &line.coefficients;
+                Self::wide([-b, -a, c.clone()])
+            }
+        }
     }
 
     /// The line of narrow coefficients in normal form.

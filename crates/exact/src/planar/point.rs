@@ -294,6 +294,25 @@ impl Point2 {
         !matches!(self.repr, Repr::Crossing { .. })
     }
 
+    /// The image under (x, y) -> (-y, -x).
+    pub(crate) fn reflected_at_antidiagonal(&self) -> Self {
+        let [x, y] = self.approx;
+        // 0 - x keeps zeros positive.
+        let approx = [0.0 - y, 0.0 - x];
+        let repr = match &self.repr {
+            Repr::Explicit([x, y, w]) => Repr::Explicit([-y, -x, *w]),
+            Repr::Crossing { lines, .. } => {
+                let [l, m] = lines.each_ref().map(|line| Line2::of_narrow(line).reflected_at_antidiagonal());
+                return Self::crossing(&l, &m).expect("lines that cross still do after a reflection");
+            }
+            Repr::Wide(homogeneous) => {
+                let [x, y, w] = &**homogeneous;
+                Repr::Wide(Arc::new([-y, -x, w.clone()]))
+            }
+        };
+        Self::new(approx, self.error, repr)
+    }
+
     /// Gives the point moved by a vector.
     pub fn translated(&self, by: &[Rational; 2]) -> Self {
         match (&self.repr, by.each_ref().map(small_integer)) {

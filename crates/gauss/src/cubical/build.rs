@@ -1,7 +1,7 @@
 //! Maps of polytopes, and polytopes of maps.
 
 use super::CubicalGaussianMap;
-use cubical::{At, CubeSide, CubicalArrangement, CubicalPieces};
+use cubical::{ArcEnd, At, CubeSide, CubicalArrangement, CubicalPieces};
 use dcel::{EdgeId, HalfedgeId, Mesh};
 use exact::spherical::{Direction, GreatCircle};
 use polytope::{Facets, PolygonMesh, Polytope, convex_hull};
@@ -17,18 +17,21 @@ impl CubicalGaussianMap {
     pub fn of_polytope(polytope: &Polytope) -> Self {
         let mesh = polytope.mesh();
         let circles: Vec<GreatCircle> = mesh.edges().map(|h| circle_of(polytope, h)).collect();
-        let normals: Vec<Direction> = match polytope.dimension() {
-            0 | 1 => Vec::new(),
-            _ => mesh.facets().map(|f| normal_of(mesh, &circles, mesh.boundary(f))).collect(),
-        };
         let mut pieces = CubicalPieces::new();
+        let normals: Vec<ArcEnd> = match polytope.dimension() {
+            0 | 1 => Vec::new(),
+            _ => {
+                let normals = mesh.facets().map(|f| normal_of(mesh, &circles, mesh.boundary(f)));
+                normals.map(|normal| pieces.add_end(&normal)).collect()
+            }
+        };
         let mut ends = Vec::with_capacity(circles.len());
         for (h, circle) in mesh.edges().zip(&circles) {
             match polytope.dimension() {
                 1 => pieces.push_circle(circle),
                 _ => {
-                    let [source, target] = [h, h.twin()].map(|h| &normals[mesh.facet(h).index()]);
-                    pieces.push_arc(circle, source, target);
+                    let [source, target] = [h, h.twin()].map(|h| normals[mesh.facet(h).index()]);
+                    pieces.push_arc_between(circle, source, target);
                 }
             }
             ends.push([mesh.target(h), mesh.source(h)].map(|v| &polytope.points()[v.index()]));

@@ -5,9 +5,13 @@
 //! | this one | the map, and what it knows |
 //! | `build` | maps of polytopes, and polytopes of maps |
 //! | `sum` | Minkowski sums by six overlays, reflections |
+//! | `validity` | what a map promises |
 
 mod build;
 mod sum;
+mod validity;
+
+pub use validity::CubicalGaussianViolation;
 
 use cubical::{CubicalArrangement, CubicalFaceId};
 use exact::Point3;
