@@ -48,7 +48,7 @@ use std::collections::HashMap;
 /// O(d^2 V) for a sum of V vertices, where d is the greatest number of edges that the summands have
 /// together at the vertices that make one of the sum: d programs of d constraints per vertex. Expected
 /// constant time per edge of the sum to find its end. Degree 3 in the edge vectors; degree 4 where two
-/// constraints of a program are parallel.
+/// constraints of a program are parallel. Memory for k numbers per vertex of the sum of k summands.
 ///
 /// # References
 /// K. Fukuda: From the zonotope construction to the Minkowski addition of convex polytopes, Journal of
