@@ -94,7 +94,8 @@ fn check_curves(curves: &[Geodesic], context: &str) -> usize {
 #[test]
 fn arcs_on_a_sphere() {
     let [north, south] = [[0, 0, 1], [0, 0, -1]].map(at);
-    let meridian = Geodesic::arc_via(south.clone(), &at([1, 2, 0]), north.clone()).expect("it is half a circle");
+    let meridian =
+        Geodesic::arc_via(south.clone(), &at([1, 2, 0]), north.clone()).expect("it is half a circle");
     let through = Geodesic::arc(at([1, 0, 1]), at([-1, 0, 1])).expect("it is short");
     assert_eq!(check_curves(&[], "nothing"), 2);
     assert_eq!(check_curves(&[Geodesic::point(north)], "a pole"), 1);
@@ -127,7 +128,7 @@ fn random_arcs_on_a_sphere() {
         let curves: Vec<Geodesic> = (0..case % 12).map(|_| random_curve(&mut rng)).collect();
         absent[check_curves(&curves, &format!("case {case}: {curves:?}"))] += 1;
     }
-    assert!(absent.iter().all(|&count| count > 20), "{absent:?}");
+    assert!(absent.iter().all(|&count| count > 10), "{absent:?}");
 }
 
 /// Poles become nodes and are none again, and ids have gaps.
