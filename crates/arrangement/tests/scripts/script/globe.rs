@@ -173,3 +173,32 @@ impl Drawn for GlobeChains {
         scan(self, arrangement, points)
     }
 }
+
+/// A scan that told nothing would agree with everything.
+#[test]
+fn a_scan_of_the_sphere_tells_nearly_all() {
+    use splitstar_arrangement::{Arrangement, locate_by_sweep};
+    let (mut told, mut untold) = ([0; 3], 0);
+    let mut bytes = [7_u8; super::STEP];
+    for case in 0..200 {
+        bytes = std::array::from_fn(|i| bytes[i].wrapping_mul(77).wrapping_add(bytes[(i + 5) % 16] ^ case));
+        let mut draw = Draw::new(&bytes, 5, 1);
+        let globe = Globe::new([[-1, 0], [2, 1]][usize::from(case % 2)]);
+        let curves: Vec<Geodesic> = (0..5).filter_map(|_| globe.curve(&mut draw)).collect();
+        let made = Arrangement::of_curves(globe.traits(), Sphere, &curves);
+        let mut points: Vec<Direction> = (0..6).map(|_| globe.point(&mut draw)).collect();
+        let inner = |e| globe.inner_point(&made.make_edge_curve(e), &mut draw);
+        points.extend(made.dcel().edges().filter_map(inner));
+        let cells = locate_by_sweep(&made, &points);
+        for (cell, scanned) in cells.into_iter().zip(globe.scan(&made, &points)) {
+            match scanned {
+                Some(Cell::Vertex(_)) => told[0] += 1,
+                Some(Cell::Edge(_)) => told[1] += 1,
+                Some(Cell::Face(_)) => told[2] += 1,
+                None => untold += 1,
+            }
+            assert_eq!(scanned.unwrap_or(cell), cell, "case {case}: {curves:?}");
+        }
+    }
+    assert!(told.iter().all(|&count| count > 100) && told[2] > 20 * untold, "{told:?}, {untold}");
+}
