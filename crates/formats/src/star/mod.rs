@@ -22,5 +22,6 @@ pub use arrangement::{
     StarArrangement, StarText, TorusArrangement, TorusPolycurveArrangement, read_arrangement,
     read_numbered_arrangement, write_arrangement,
 };
+pub(crate) use first::is_arrangement;
 pub(crate) use read::read;
 pub(crate) use write::{write_complex, write_mesh};
