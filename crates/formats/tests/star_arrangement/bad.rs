@@ -192,16 +192,32 @@ const CHANGES: &[(&str, &str, &str)] = &[
         "line 18: `cell` where `curve`, `vertex`, `edge`, `face`, `outer`, `inner`, `isolated`, `end` or a comment was expected; correct it",
     ),
     // What contradicts the curves.
-    ("vertex 0 0 1", "vertex 0 0 2", "line 11: vertex 0 is not on curve 0; move it there, or name another vertex or curve"),
-    ("vertex 0 0 1", "vertex 0 -1 1", "line 11: vertex 0 is not on curve 0; move it there, or name another vertex or curve"),
+    (
+        "vertex 0 0 1",
+        "vertex 0 0 2",
+        "line 11: vertex 0 is not on curve 0; move it there, or name another vertex or curve",
+    ),
+    (
+        "vertex 0 0 1",
+        "vertex 0 -1 1",
+        "line 11: vertex 0 is not on curve 0; move it there, or name another vertex or curve",
+    ),
     (
         "edge 0 0 2 curve 0",
         "edge 0 infinity 2 curve 0",
         "line 5: vertex 0 has no edge; add `isolated` to the face in which it lies",
     ),
-    ("2 4 curve 0", "2 4 curve 1", "line 13: vertex 4 is not on curve 1; move it there, or name another vertex or curve"),
+    (
+        "2 4 curve 0",
+        "2 4 curve 1",
+        "line 13: vertex 4 is not on curve 1; move it there, or name another vertex or curve",
+    ),
     ("vertex 5 5 5", "vertex 5 1/2 1", "line 11: vertex 5 lies within the edge; cut the edge there"),
-    ("vertex 5 5 5", "vertex 5 2 1", "line 10: vertex 4 and vertex 5 are one point; remove one of them, and name the other one instead"),
+    (
+        "vertex 5 5 5",
+        "vertex 5 2 1",
+        "line 10: vertex 4 and vertex 5 are one point; remove one of them, and name the other one instead",
+    ),
     ("inner -0", "outer -0", "line 16: the boundary is no outer one; write `inner`"),
     (
         "+0 +3 -3 +2 -2 -1 +1",
@@ -238,8 +254,14 @@ fn every_change_is_refused_with_its_message() {
 
 /// Whole files: what is wrong with them is in several lines.
 const FILES: &[(&str, &str)] = &[
-    ("", "the file is empty; an arrangement was expected, as `splitstar arrange CURVES -o OUT.star` writes it"),
-    ("# nothing\n", "the file is empty; an arrangement was expected, as `splitstar arrange CURVES -o OUT.star` writes it"),
+    (
+        "",
+        "the file is empty; an arrangement was expected, as `splitstar arrange CURVES -o OUT.star` writes it",
+    ),
+    (
+        "# nothing\n",
+        "the file is empty; an arrangement was expected, as `splitstar arrange CURVES -o OUT.star` writes it",
+    ),
     ("star 1 arrangement\n", "line 1: the file ends where `surface` was expected; complete it"),
     (
         "star 1 arrangement\nsurface plane\nend\n",

@@ -169,7 +169,11 @@ const CHANGES: &[(&str, &str, &str)] = &[
         "vertex 0 0 0 2",
         "line 6: vertex 0 is the north pole already; remove one of the two",
     ),
-    ("vertex 0 -1 0 0", "vertex 0 1 0 0", "line 9: vertex 0 and vertex 4 are one point; remove one of them, and name the other one instead"),
+    (
+        "vertex 0 -1 0 0",
+        "vertex 0 1 0 0",
+        "line 9: vertex 0 and vertex 4 are one point; remove one of them, and name the other one instead",
+    ),
     ("vertex 0 -1 0 0", "vertex 0 2 1 0", "line 14: vertex 0 lies within the edge; cut the edge there"),
     (
         "vertex 1 0 0 1",
@@ -181,10 +185,26 @@ const CHANGES: &[(&str, &str, &str)] = &[
         "vertex 4 1 0 0 artificial",
         "line 9: vertex 4 joins 4 edges and not 2; remove `artificial`",
     ),
-    ("vertex 2 1 -1 0", "vertex 2 1 -1 1", "line 12: vertex 2 is not on curve 0; move it there, or name another vertex or curve"),
-    ("vertex 2 1 -1 0", "vertex 2 -1 1 0", "line 12: vertex 2 is not on curve 0; move it there, or name another vertex or curve"),
-    ("vertex 2 1 -1 0", "vertex 2 0 -1 0", "line 12: vertex 2 is not on curve 0; move it there, or name another vertex or curve"),
-    ("vertex 3 1 0 -1", "vertex 3 0 0 -1", "line 13: vertex 3 is not on curve 1; move it there, or name another vertex or curve"),
+    (
+        "vertex 2 1 -1 0",
+        "vertex 2 1 -1 1",
+        "line 12: vertex 2 is not on curve 0; move it there, or name another vertex or curve",
+    ),
+    (
+        "vertex 2 1 -1 0",
+        "vertex 2 -1 1 0",
+        "line 12: vertex 2 is not on curve 0; move it there, or name another vertex or curve",
+    ),
+    (
+        "vertex 2 1 -1 0",
+        "vertex 2 0 -1 0",
+        "line 12: vertex 2 is not on curve 0; move it there, or name another vertex or curve",
+    ),
+    (
+        "vertex 3 1 0 -1",
+        "vertex 3 0 0 -1",
+        "line 13: vertex 3 is not on curve 1; move it there, or name another vertex or curve",
+    ),
     (
         "edge 0 2 4",
         "edge 0 4 2",
