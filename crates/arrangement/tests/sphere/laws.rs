@@ -181,6 +181,49 @@ fn families_mirrored_in_the_middle() {
     }
 }
 
+/// The reflected arrangement is the one that a sweep over the reflected curves makes on the opposite sphere, corner by corner and kind by kind.
+fn check_reflected(traits: &GeodesicTraits, curves: &[Curve], context: &str) {
+    let globe = sweep_with(traits, curves);
+    let reflected = globe.reflected();
+    assert_eq!(reflected.check_valid(), [], "{context}");
+    let images = sweep_with(&traits.reflected(), &mapped(curves, &point_reflection()));
+    assert_eq!(reflected.difference(&images), None, "{context}");
+    assert_eq!(reflected.counts_with_splits(), images.counts_with_splits(), "{context}");
+    let again = reflected.reflected();
+    assert_eq!(again.check_valid(), [], "{context}");
+    assert_eq!((again.traits(), again.difference(&globe)), (traits, None), "{context}");
+    assert_eq!(again.corner_face(), globe.corner_face(), "{context}");
+    let (dcel, other) = (globe.dcel(), again.dcel());
+    let record =
+        |dcel: &dcel::Dcel, h| (dcel.next(h), dcel.prev(h), dcel.source(h), dcel.ccb(h), dcel.face(h));
+    assert!(dcel.halfedges().all(|h| record(dcel, h) == record(other, h)), "{context}");
+    // It is an arrangement as others: it can be overlaid with its reflection.
+    let opposite = sweep_with(&traits.reflected(), curves);
+    let (overlay, _) = overlay_all(&[&opposite, &reflected]);
+    assert_eq!(overlay.check_valid(), [], "{context}");
+    let all = [curves, &mapped(curves, &point_reflection())].concat();
+    assert_eq!(overlay.difference(&sweep_with(&traits.reflected(), &all)), None, "{context}");
+}
+
+#[test]
+fn families_reflected_in_place() {
+    for row in rows() {
+        for d in [[-1, 0], [1, 0], [0, 1], [2, -1]] {
+            check_reflected(&traits_of(d), &row.curves, &format!("{}, {d:?}: {:?}", row.name, row.curves));
+        }
+    }
+}
+
+#[test]
+fn random_curves_reflected_in_place() {
+    for seed in 0..400 {
+        let mut rng = Rng::new(seed);
+        let curves = random_curves(&mut rng, 7, 2);
+        let d = *rng.choose(&[[-1, 0], [-1, 0], [1, 0], [0, 1], [2, -1]]);
+        check_reflected(&traits_of(d), &curves, &format!("seed {seed}, {d:?}: {curves:?}"));
+    }
+}
+
 /// An overlay is the arrangement of all curves.
 fn check_overlay(parts: &[&[Curve]], context: &str) {
     let operands: Vec<Globe> = parts.iter().map(|part| sweep(part)).collect();
