@@ -9,6 +9,7 @@
 //! | [`filter`], [`fixed`], [`interval`] | the numbers of the tiers |
 //! | [`planar`] | exact points and lines of the plane: crossings, their order, sides |
 //! | [`spherical`] | exact directions and great circles of the sphere: crossings, their order, sides |
+//! | [`gnomonic`] | the central projection of the sphere to the sides of a cube |
 //! | [`Quaternion`], [`Affine3`], [`Linear3`] | exact rotations and affine maps |
 //!
 //! No decision is made with a tolerance, and nothing is rounded except by methods called `approx_*`. This crate knows no geometry
@@ -21,6 +22,7 @@ mod affine;
 pub mod filter;
 pub mod fixed;
 mod gcd;
+pub mod gnomonic;
 mod integer;
 pub mod interval;
 mod parse;

@@ -7,10 +7,13 @@
 //! | module | what |
 //! |---|---|
 //! | `spherical` | [`SphericalGaussianMap`]: geodesic arcs on the sphere |
+//! | `cubical` | [`CubicalGaussianMap`]: segments on the six sides of a cube |
 //!
 //! # References
 //! Thesis, sections 3.1 to 3.3.
 
+mod cubical;
 mod spherical;
 
+pub use crate::cubical::{CubicalGaussianMap, CubicalGaussianViolation};
 pub use spherical::{GaussianViolation, SphericalGaussianMap};

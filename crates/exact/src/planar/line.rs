@@ -89,7 +89,11 @@ impl Line2 {
     pub fn through(p: &Point2, q: &Point2) -> Option<Self> {
         let (Some(&[px, py, pw]), Some(&[qx, qy, qw])) = (p.as_narrow(), q.as_narrow()) else {
             let ([px, py, pw], [qx, qy, qw]) = (p.homogeneous(), q.homogeneous());
-            return Self::of_integers([&py * &qw - &qy * &pw, &qx * &pw - &px * &qw, &py * &qx - &px * &qy]);
+            return Self::from_integers([
+                &py * &qw - &qy * &pw,
+                &qx * &pw - &px * &qw,
+                &py * &qx - &px * &qy,
+            ]);
         };
         // Narrow numerators and weights are below 2^61.
         let c = i128::from(py) * i128::from(qx) - i128::from(px) * i128::from(qy);
@@ -131,11 +135,17 @@ impl Line2 {
     /// ```
     pub fn from_coefficients(a: &Rational, b: &Rational, c: &Rational) -> Option<Self> {
         let weight = a.denominator().lcm(&b.denominator()).lcm(&c.denominator());
-        Self::of_integers([a, b, c].map(|value| value.numerator() * weight.div_exact(&value.denominator())))
+        Self::from_integers([a, b, c].map(|value| value.numerator() * weight.div_exact(&value.denominator())))
     }
 
-    /// Any integers; `None` if a and b are zero.
-    fn of_integers([a, b, c]: [Integer; 3]) -> Option<Self> {
+    /// Makes the line a x + b y = c with any integers; `None` if a and b are zero.
+    ///
+    /// ```
+    /// use exact::planar::Line2;
+    /// assert_eq!(Line2::from_integers([4, -6, 2].map(Into::into)).expect("not all are zero").to_string(), "-2 x + 3 y = -1");
+    /// assert_eq!(Line2::from_integers([0, 0, 2].map(Into::into)), None);
+    /// ```
+    pub fn from_integers([a, b, c]: [Integer; 3]) -> Option<Self> {
         let divisor = a.gcd(&b);
         if divisor.is_zero() {
             return None;
@@ -153,6 +163,13 @@ impl Line2 {
             }
         }
         Some(Self::wide([a, b, c]))
+    }
+
+    /// Coprime machine integers; `None` if a and b are zero.
+    #[inline]
+    pub(crate) fn from_coprime(coefficients: [i64; 3]) -> Option<Self> {
+        let [a, b, c] = coefficients.map(i128::from);
+        (a != 0 || b != 0).then(|| Self::of_coprime(a, b, c))
     }
 
     /// Coprime integers above -2^127, a and b not both zero.
@@ -174,6 +191,17 @@ impl Line2 {
         let coefficients = if turn { [-a, -b, -c] } else { [a, b, c] };
         let [a, b, c] = coefficients.each_ref().map(Integer::approx_f64);
         Self { approx_c: c, repr: Repr::Wide(Arc::new(WideLine { coefficients, approx: [a, b] })) }
+    }
+
+    /// The image under (x, y) -> (-y, -x).
+    pub(crate) fn reflected_at_antidiagonal(&self) -> Self {
+        match &self.repr {
+            Repr::Narrow { line, .. } => Self::of_coprime(-i128::from(line.b), -i128::from(line.a), line.c()),
+            Repr::Wide(line) => {
+                let [a, b, c] = &line.coefficients;
+                Self::wide([-b, -a, c.clone()])
+            }
+        }
     }
 
     /// The line of narrow coefficients in normal form.

@@ -132,6 +132,33 @@ impl Point2 {
         Some(point)
     }
 
+    /// Makes the point (x/w, y/w) of machine integers with a positive weight w.
+    #[inline]
+    pub(crate) fn from_weighted(homogeneous: [i64; 3]) -> Self {
+        let [x, y, w] = homogeneous;
+        debug_assert!(w > 0, "the weight is positive");
+        if (x.unsigned_abs() | y.unsigned_abs() | w.unsigned_abs()) >> NARROW_BITS == 0 {
+            return Self::explicit(homogeneous);
+        }
+        Self::of_homogeneous(homogeneous.map(Integer::from))
+    }
+
+    /// Makes the point (x/w, y/w) of integers; `None` if w is zero.
+    ///
+    /// ```
+    /// use exact::planar::Point2;
+    /// let point = Point2::from_homogeneous([4, -1, -2].map(Into::into)).expect("a weight that is not zero");
+    /// assert_eq!(point.to_string(), "(-2, 1/2)");
+    /// assert_eq!(Point2::from_homogeneous([4, -1, 0].map(Into::into)), None);
+    /// ```
+    pub fn from_homogeneous(homogeneous: [Integer; 3]) -> Option<Self> {
+        match homogeneous[2].sign() {
+            Sign::Zero => None,
+            Sign::Positive => Some(Self::of_homogeneous(homogeneous)),
+            Sign::Negative => Some(Self::of_homogeneous(homogeneous.map(|value| -value))),
+        }
+    }
+
     /// A point with a positive weight.
     fn of_homogeneous(homogeneous: [Integer; 3]) -> Self {
         let machine = homogeneous.each_ref().map(Integer::to_i64);
@@ -232,8 +259,16 @@ impl Point2 {
         }
     }
 
+    /// The lines that cross here, if the point is held so.
+    pub(crate) fn crossing_lines(&self) -> Option<[Line2; 2]> {
+        match &self.repr {
+            Repr::Crossing { lines, .. } => Some(lines.each_ref().map(Line2::of_narrow)),
+            _ => None,
+        }
+    }
+
     /// X, Y and the positive weight W.
-    pub(super) fn homogeneous(&self) -> [Integer; 3] {
+    pub(crate) fn homogeneous(&self) -> [Integer; 3] {
         match &self.repr {
             Repr::Explicit(homogeneous) => homogeneous.map(Integer::from),
             Repr::Crossing { lines, .. } => {
@@ -257,6 +292,25 @@ impl Point2 {
     #[inline]
     pub fn is_explicit(&self) -> bool {
         !matches!(self.repr, Repr::Crossing { .. })
+    }
+
+    /// The image under (x, y) -> (-y, -x).
+    pub(crate) fn reflected_at_antidiagonal(&self) -> Self {
+        let [x, y] = self.approx;
+        // 0 - x keeps zeros positive.
+        let approx = [0.0 - y, 0.0 - x];
+        let repr = match &self.repr {
+            Repr::Explicit([x, y, w]) => Repr::Explicit([-y, -x, *w]),
+            Repr::Crossing { lines, .. } => {
+                let [l, m] = lines.each_ref().map(|line| Line2::of_narrow(line).reflected_at_antidiagonal());
+                return Self::crossing(&l, &m).expect("lines that cross still do after a reflection");
+            }
+            Repr::Wide(homogeneous) => {
+                let [x, y, w] = &**homogeneous;
+                Repr::Wide(Arc::new([-y, -x, w.clone()]))
+            }
+        };
+        Self::new(approx, self.error, repr)
     }
 
     /// Gives the point moved by a vector.

@@ -141,7 +141,7 @@ impl GreatCircle {
     }
 
     /// Any integers; `None` if all are zero.
-    pub(super) fn of_integers([x, y, z]: [Integer; 3]) -> Option<Self> {
+    pub(crate) fn of_integers([x, y, z]: [Integer; 3]) -> Option<Self> {
         let divisor = x.gcd(&y).gcd(&z);
         if divisor.is_zero() {
             return None;
@@ -174,6 +174,12 @@ impl GreatCircle {
     fn wide(normal: [Integer; 3]) -> Self {
         let (approx, _) = approx_scaled(&normal);
         Self(Repr::Wide(Arc::new(WideNormal { normal, approx })))
+    }
+
+    /// The normal, if it is narrow.
+    #[inline(always)]
+    pub(crate) fn narrow_normal(&self) -> Option<&[i64; 3]> {
+        self.as_narrow().map(|(normal, _)| normal)
     }
 
     /// The normal, if it is narrow, and the least k such that its coordinates are below 2^k.

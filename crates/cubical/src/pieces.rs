@@ -1,0 +1,315 @@
+//! Arcs, circles and points of the sphere, cut along the edges of the cube.
+
+use arrangement::Pieces;
+use arrangement::models::{Geodesic, Segment, SegmentTraits};
+use exact::gnomonic::{CubeSide, Exit, SideSet};
+use exact::planar::{Point2, compare_xy};
+use exact::spherical::{Direction, GreatCircle, crossing_side};
+use exact::{Sign, gnomonic};
+use std::cmp::Ordering;
+
+/// What comes to one side of the cube.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct SidePieces {
+    /// Segments; points of their own, and ends of arcs on edges of the cube.
+    pub(crate) pieces: Pieces<SegmentTraits>,
+    /// For each segment, the number of its arc.
+    pub(crate) arcs: Vec<u32>,
+    /// Those of the points that are on the border of the square.
+    pub(crate) border_points: Vec<Point2>,
+    /// What arcs cover of the border, in the order of [`border_of`].
+    pub(crate) covered: [Vec<[Point2; 2]>; 4],
+}
+
+/// The four edges of the square: u = -1, u = 1, v = -1, v = 1.
+pub(crate) fn border_of(side: CubeSide, other: CubeSide) -> usize {
+    let [u, _] = side.axes();
+    2 * usize::from(other.axis() != u) + usize::from(other.is_positive())
+}
+
+/// The side behind one of the four edges of a square.
+pub(crate) fn side_behind(side: CubeSide, border: usize) -> CubeSide {
+    CubeSide::new(side.axes()[border / 2], border % 2 == 1)
+}
+
+/// Geodesic arcs, great circles and points, cut into segments and points of the sides of the cube.
+///
+/// Arcs are numbered in the order in which they come; circles are arcs, too.
+///
+/// Degenerate: an arc along an edge of the cube is put into both sides, a point on an edge into two, one at a corner into three. Arcs may cross and overlap.
+///
+/// ```
+/// use arrangement::models::Geodesic;
+/// use exact::spherical::Direction;
+/// use splitstar_cubical::{CubicalArrangement, CubicalPieces};
+/// let [p, q] = [[2, 1, 0], [1, 3, 0]].map(|p| Direction::from_i64(p).expect("not zero"));
+/// let mut pieces = CubicalPieces::new();
+/// pieces.push_geodesic(&Geodesic::arc(p, q)?);
+/// let counts = CubicalArrangement::of_pieces(pieces).counts();
+/// assert_eq!((counts.vertices, counts.edges, counts.faces), (2, 1, 1));
+/// # Ok::<(), arrangement::models::GeodesicError>(())
+/// ```
+#[derive(Clone, Debug, Default)]
+pub struct CubicalPieces {
+    pub(crate) sides: [SidePieces; 6],
+    arc_count: u32,
+    ends: Vec<End>,
+    /// The places of all ends on their sides.
+    places: Vec<Point2>,
+}
+
+/// Names an end of arcs: see [`CubicalPieces::add_end`].
+#[derive(Clone, Copy, PartialEq, Eq, Debug)]
+pub struct ArcEnd(u32);
+
+/// An end of arcs.
+#[derive(Clone, Debug)]
+struct End {
+    direction: Direction,
+    sides: SideSet,
+    /// Where its places begin, one for each side.
+    first_place: usize,
+}
+
+/// Where an arc runs on: across a side, or along the edge between two.
+#[derive(Clone, Copy)]
+enum Way {
+    Across(CubeSide),
+    Along([CubeSide; 2]),
+}
+
+impl CubicalPieces {
+    /// Makes what has no arc and no point.
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// The number of arcs and circles.
+    pub fn arc_count(&self) -> usize {
+        self.arc_count as usize
+    }
+
+    /// Appends an arc, a circle or a point.
+    ///
+    /// # Complexity
+    /// An arc makes up to seven segments: a circle passes through up to six sides, and an arc may end on the side on which it begins.
+    pub fn push_geodesic(&mut self, geodesic: &Geodesic) {
+        match (geodesic.as_point(), geodesic.great_circle(), geodesic.source(), geodesic.target()) {
+            (Some(point), ..) => self.push_point(point),
+            (_, Some(circle), Some(source), Some(target)) => self.push_arc(circle, source, target),
+            (_, Some(circle), ..) => self.push_circle(circle),
+            (_, None, ..) => unreachable!("what is no point has a circle"),
+        }
+    }
+
+    /// Appends a point. Where it lies on no arc, it becomes an isolated vertex.
+    pub fn push_point(&mut self, point: &Direction) {
+        let sides = CubeSide::of(point);
+        for side in sides {
+            self.push_site(side, point_on(side, point), sides.count_sides() > 1);
+        }
+    }
+
+    fn push_site(&mut self, side: CubeSide, place: Point2, is_on_border: bool) {
+        let pieces = &mut self.sides[side.index()];
+        if is_on_border {
+            pieces.border_points.push(place.clone());
+        }
+        pieces.pieces.push_point(place);
+    }
+
+    /// Adds an end for arcs to come, and projects it to its sides: once, for any number of arcs.
+    ///
+    /// Degenerate: an end of no arc is a vertex if it lies on an edge of the cube, and nothing if not.
+    pub fn add_end(&mut self, direction: &Direction) -> ArcEnd {
+        let (sides, first_place) = (CubeSide::of(direction), self.places.len());
+        for side in sides {
+            let place = point_on(side, direction);
+            if sides.count_sides() > 1 {
+                self.push_site(side, place.clone(), true);
+            }
+            self.places.push(place);
+        }
+        let end = ArcEnd(u32::try_from(self.ends.len()).expect("fewer than 2^32 ends"));
+        self.ends.push(End { direction: direction.clone(), sides, first_place });
+        end
+    }
+
+    /// The place of an end on one of its sides.
+    fn place_of(&self, ArcEnd(end): ArcEnd, side: CubeSide) -> &Point2 {
+        let End { sides, first_place, .. } = &self.ends[end as usize];
+        let before = sides.take_while(|&other| other != side).count();
+        &self.places[first_place + before]
+    }
+
+    /// Appends a whole great circle. It has no vertex of its own.
+    pub fn push_circle(&mut self, circle: &GreatCircle) {
+        // It passes through the inside of any side to whose axis its normal is orthogonal. If there is none, then of any but one
+        // along whose axis the normal has its greatest coordinate.
+        let far = CubeSide::of(&circle.pole()).first().axis();
+        let axis = (0..3).find(|&axis| circle.sign(axis).is_zero()).unwrap_or((far + 1) % 3);
+        let first = CubeSide::new(axis, true);
+        match first.exit(circle).expect("the circle passes through the side") {
+            Exit::Edge { to, there, .. } => {
+                self.walk(circle, Way::Across(to), there, Stop::AfterSide(first));
+            }
+            Exit::Corner(corner) => {
+                let way = entered(circle, &corner, CubeSide::of(&corner));
+                self.walk(circle, way, point_on(way.first(), &corner), Stop::AfterSide(first));
+            }
+        }
+        self.arc_count += 1;
+    }
+
+    /// Appends the arc of a circle from one point to another, in the sense of the circle; the whole circle, with a vertex, if they are equal.
+    ///
+    /// # Preconditions
+    /// Both points lie on the circle: debug builds check it.
+    pub fn push_arc(&mut self, circle: &GreatCircle, source: &Direction, target: &Direction) {
+        let [source, target] = [source, target].map(|end| self.add_end(end));
+        self.push_arc_between(circle, source, target);
+    }
+
+    /// Appends the arc of a circle from one end to another, as [`CubicalPieces::push_arc`] does.
+    ///
+    /// # Panics
+    /// If an end is of other pieces, perhaps; debug builds: if one is not on the circle.
+    pub fn push_arc_between(&mut self, circle: &GreatCircle, source: ArcEnd, target: ArcEnd) {
+        let End { direction, sides, .. } = &self.ends[source.0 as usize];
+        let way = entered(circle, direction, *sides);
+        let here = self.place_of(source, way.first()).clone();
+        self.walk(circle, way, here, Stop::At(target));
+        self.arc_count += 1;
+    }
+
+    /// Follows a circle from a point of the first side of a way.
+    fn walk(&mut self, circle: &GreatCircle, mut way: Way, mut here: Point2, stop: Stop) {
+        let mut is_first = true;
+        loop {
+            let end =
+                self.end_on(stop, way).filter(|end| !is_first || is_ahead(circle, way.first(), &here, end));
+            is_first = false;
+            match way {
+                Way::Across(side) => {
+                    if let Some(end) = end {
+                        return self.push_segment(side, circle, here, end);
+                    }
+                    let is_last = matches!(stop, Stop::AfterSide(last) if last == side);
+                    match side.exit(circle).expect("the circle passes through the side") {
+                        Exit::Edge { to, here: place, there } => {
+                            self.push_segment(side, circle, here, place);
+                            (way, here) = (Way::Across(to), there);
+                        }
+                        Exit::Corner(corner) => {
+                            self.push_segment(side, circle, here, point_on(side, &corner));
+                            way = entered(circle, &corner, CubeSide::of(&corner));
+                            here = point_on(way.first(), &corner);
+                        }
+                    }
+                    if is_last {
+                        return;
+                    }
+                }
+                Way::Along([side, other]) => {
+                    let corner = corner_ahead(circle, side, other);
+                    let target = end.as_ref().map_or(corner.clone(), |end| side.direction_of(end));
+                    let source = side.direction_of(&here);
+                    for [own, behind] in [[side, other], [other, side]] {
+                        let [source, target] = [&source, &target].map(|p| point_on(own, p));
+                        let ends = match compare_xy(&source, &target) {
+                            Ordering::Less => [source.clone(), target.clone()],
+                            _ => [target.clone(), source.clone()],
+                        };
+                        self.sides[own.index()].covered[border_of(own, behind)].push(ends);
+                        self.push_segment(own, circle, source, target);
+                    }
+                    if end.is_some() {
+                        return;
+                    }
+                    way = entered(circle, &corner, CubeSide::of(&corner));
+                    here = point_on(way.first(), &corner);
+                }
+            }
+        }
+    }
+
+    /// The place at which a walk is to stop, if it lies on the way.
+    fn end_on(&self, stop: Stop, way: Way) -> Option<Point2> {
+        let Stop::At(target) = stop else { return None };
+        let sides = self.ends[target.0 as usize].sides;
+        let is_on_way = match way {
+            Way::Across(side) => sides.contains(side),
+            Way::Along(both) => both.iter().all(|&side| sides.contains(side)),
+        };
+        is_on_way.then(|| self.place_of(target, way.first()).clone())
+    }
+
+    fn push_segment(&mut self, side: CubeSide, circle: &GreatCircle, source: Point2, target: Point2) {
+        let line = side.line_of(circle).expect("the circle passes through the side");
+        let segment = Segment::on_line(line, source, target).expect("a circle has a way through a side");
+        let pieces = &mut self.sides[side.index()];
+        pieces.pieces.push_curve(segment);
+        pieces.arcs.push(self.arc_count);
+    }
+}
+
+/// Where a walk stops.
+#[derive(Clone, Copy)]
+enum Stop {
+    /// At an end.
+    At(ArcEnd),
+    /// Where it leaves a side.
+    AfterSide(CubeSide),
+}
+
+impl Way {
+    fn first(self) -> CubeSide {
+        match self {
+            Self::Across(side) | Self::Along([side, _]) => side,
+        }
+    }
+}
+
+fn point_on(side: CubeSide, p: &Direction) -> Point2 {
+    side.point_of(p).expect("the point lies on the side")
+}
+
+/// Tells whether a circle comes to `end` after `here`, on one side.
+fn is_ahead(circle: &GreatCircle, side: CubeSide, here: &Point2, end: &Point2) -> bool {
+    let [u, v] = side.axes();
+    // It runs in the direction (n_v, -n_u), because the side faces outwards.
+    let is_to_right = match circle.sign(v) {
+        Sign::Zero => circle.sign(u).is_negative(),
+        sign => sign.is_positive(),
+    };
+    let order = compare_xy(here, end);
+    if is_to_right { order.is_lt() } else { order.is_gt() }
+}
+
+/// The way on which a circle leaves one of its points, which lies on these sides.
+fn entered(circle: &GreatCircle, p: &Direction, mut sides: SideSet) -> Way {
+    let first = sides.next().expect("a direction lies on a side");
+    sides.fold(Way::Across(first), |way, side| {
+        // Along a circle, what grows faster at p is greater for the next half turn.
+        match crossing_side(circle, &gnomonic::diagonal(way.first(), side), p) {
+            Sign::Negative => way,
+            Sign::Positive => Way::Across(side),
+            Sign::Zero => Way::Along([way.first(), side]),
+        }
+    })
+}
+
+/// The end of the edge between two sides to which a circle runs that passes along it.
+fn corner_ahead(circle: &GreatCircle, side: CubeSide, other: CubeSide) -> Direction {
+    let free = 3 - side.axis() - other.axis();
+    let [a, b] = [(free + 1) % 3, (free + 2) % 3];
+    let of_b = if side.axis() == b { side } else { other };
+    let mut corner = [0; 3];
+    for known in [side, other] {
+        corner[known.axis()] = if known.is_positive() { 1 } else { -1 };
+    }
+    // The normal is n_a (e_a - s e_b) for a sign s; what it makes with the edge grows along the free axis by 2 n_a p_b.
+    let grows = circle.sign(a) * of_b.sign();
+    corner[free] = if grows.is_positive() { 1 } else { -1 };
+    Direction::from_i64(corner).expect("not zero")
+}

@@ -1,0 +1,103 @@
+//! Maps of polytopes, and polytopes of maps.
+
+use super::CubicalGaussianMap;
+use cubical::{ArcEnd, At, CubeSide, CubicalArrangement, CubicalPieces};
+use dcel::{EdgeId, HalfedgeId, Mesh};
+use exact::spherical::{Direction, GreatCircle};
+use polytope::{Facets, PolygonMesh, Polytope, convex_hull};
+
+impl CubicalGaussianMap {
+    /// Makes the Gaussian map of a polytope.
+    ///
+    /// # Complexity
+    /// O(n log n) for n edges.
+    ///
+    /// # References
+    /// Thesis, section 3.3.1.
+    pub fn of_polytope(polytope: &Polytope) -> Self {
+        let mesh = polytope.mesh();
+        let circles: Vec<GreatCircle> = mesh.edges().map(|h| circle_of(polytope, h)).collect();
+        let mut pieces = CubicalPieces::new();
+        let normals: Vec<ArcEnd> = match polytope.dimension() {
+            0 | 1 => Vec::new(),
+            _ => {
+                let normals = mesh.facets().map(|f| normal_of(mesh, &circles, mesh.boundary(f)));
+                normals.map(|normal| pieces.add_end(&normal)).collect()
+            }
+        };
+        let mut ends = Vec::with_capacity(circles.len());
+        for (h, circle) in mesh.edges().zip(&circles) {
+            match polytope.dimension() {
+                1 => pieces.push_circle(circle),
+                _ => {
+                    let [source, target] = [h, h.twin()].map(|h| normals[mesh.facet(h).index()]);
+                    pieces.push_arc_between(circle, source, target);
+                }
+            }
+            ends.push([mesh.target(h), mesh.source(h)].map(|v| &polytope.points()[v.index()]));
+        }
+        let (arrangement, arcs) = CubicalArrangement::of_pieces_with_arcs(pieces);
+        // Without arcs there is one face, and one point.
+        let mut points = vec![polytope.points()[0].clone(); arrangement.face_count()];
+        let mut is_known = vec![false; points.len()];
+        for side in CubeSide::ALL {
+            for (e, arc) in arcs[side.index()].iter().enumerate() {
+                let Some(arc) = *arc else { continue };
+                let e = EdgeId::new(e);
+                let is_right = arrangement.side(side).curve_of(e).is_directed_right();
+                let along = if is_right { e.halfedge() } else { e.halfedge().twin() };
+                for (id, &point) in [along, along.twin()].into_iter().zip(&ends[arc as usize]) {
+                    let h = At { side, id };
+                    if arrangement.is_outer(h) {
+                        continue;
+                    }
+                    let face = arrangement.face(h).index();
+                    if !std::mem::replace(&mut is_known[face], true) {
+                        points[face] = point.clone();
+                    }
+                }
+            }
+        }
+        Self { arrangement, points }
+    }
+
+    /// Makes the polytope: the inverse of [`CubicalGaussianMap::of_polytope`]. Its vertices are in the order of the faces, its facets in the order of the real vertices
+    /// that are their normals.
+    ///
+    /// # Complexity
+    /// Linear for dimension 3; O(n log n) below.
+    pub fn make_polytope(&self) -> Polytope {
+        if self.dimension() < 3 {
+            return convex_hull(&self.points).expect("a polytope has a vertex");
+        }
+        let mut facets = Facets::with_capacity(self.points.len(), 6 * self.points.len());
+        let mut cycle = Vec::new();
+        for v in self.arrangement.real_vertices() {
+            cycle.clear();
+            cycle.extend(self.arrangement.real_around(v).map(|h| self.arrangement.face(h).0));
+            facets.push(&cycle);
+        }
+        let mut notes = Vec::new();
+        let mesh = PolygonMesh { points: self.points.clone(), facets };
+        let polytope = Polytope::from_mesh(&mesh, &mut notes);
+        debug_assert!(notes.is_empty(), "{notes:?}");
+        polytope.expect("a Gaussian map is that of a polytope")
+    }
+}
+
+/// The circle around the vector of an edge.
+fn circle_of(polytope: &Polytope, h: HalfedgeId) -> GreatCircle {
+    GreatCircle::new(&polytope.edge_vector(h)).expect("the ends of an edge are different")
+}
+
+/// The outer normal of a facet, where the circles of two consecutive edges cross: so it is as narrow as these.
+fn normal_of(mesh: &Mesh, circles: &[GreatCircle], h: HalfedgeId) -> Direction {
+    let next = mesh.next(h);
+    let [first, second] = [h, next].map(|h| &circles[h.edge()]);
+    // Opposite circles cross in the opposite direction.
+    let normal = match h.is_even() == next.is_even() {
+        true => Direction::crossing(first, second),
+        false => Direction::crossing(second, first),
+    };
+    normal.expect("consecutive edges of a facet are not parallel")
+}
