@@ -2,13 +2,14 @@
 
 use super::QueryPoint;
 use crate::predicate::dot;
-use crate::{Integer, Point3, Rational, Vector3};
+use crate::rational::approx_quotient;
+use crate::{Integer, Point3, Sign, Vector3};
 use std::cmp::Ordering;
 
 /// An upper bound of the relative errors below: a depth is a sum of four terms, whose factors have a few roundings each.
 /// u = 2^-53 is the unit of rounding. A coordinate of a normal is nearest to an integer (u); its squares, their sum, the root and
 /// the quotient add at most 5u; the offset has as many; a coordinate of the point is a quotient of two rounded numbers (3u); products
-/// and sums add 5u. Altogether at most 16u, to first order; 2^-48 is 32u.
+/// and sums add 5u. Altogether at most 20u, to first order; 2^-48 is 32u.
 const ERROR: f64 = f64::from_bits((1023 - 48) << 52);
 /// More than what underflow may add to a few such terms.
 const TINY: f64 = f64::MIN_POSITIVE;
@@ -28,6 +29,8 @@ pub struct DepthBounds {
 }
 
 impl DepthBounds {
+    const UNKNOWN: Self = Self { low: f64::NAN, high: f64::NAN };
+
     /// Tells whether the depth is certainly less than the other one.
     #[inline]
     pub fn is_below(&self, other: &Self) -> bool {
@@ -56,10 +59,7 @@ impl DepthPlane {
         let [x, y, z] = [x, y, z].map(|value| value / greatest);
         let length = (x * x + y * y + z * z).sqrt();
         let unit = [x, y, z].map(|value| value / length);
-        let offset =
-            Rational::new(dot(normal.coordinates(), [0, 1, 2].map(|axis| on.numerator(axis))), on.weight())
-                .expect("a weight is positive");
-        let offset = offset.approx_f64() / greatest / length;
+        let offset = approx_offset(normal, on) / greatest / length;
         Self { values: [unit[0], unit[1], unit[2], offset] }
     }
 
@@ -71,6 +71,9 @@ impl DepthPlane {
     /// Bounds how far below the plane a point lies.
     #[inline]
     pub fn depth(&self, point: &DepthPoint) -> DepthBounds {
+        if crate::stage::are_boxes_skipped() {
+            return DepthBounds::UNKNOWN;
+        }
         let ([a, b, c, d], [x, y, z]) = (self.values, point.values);
         let depth = d - ((a * x + b * y) + c * z);
         // Coordinates of a unit vector are at most one.
@@ -78,6 +81,19 @@ impl DepthPlane {
         // Not a number compares as neither below nor above.
         DepthBounds { low: depth - error, high: depth + error }
     }
+}
+
+/// normal . on, with at most three roundings.
+fn approx_offset(normal: &Vector3, on: &Point3) -> f64 {
+    if let (Some([a, b, c]), Some([x, y, z, w])) = (normal.to_i128(), on.as_narrow())
+        && normal.bits() + on.bits() + 2 < 127
+    {
+        let [x, y, z] = [*x, *y, *z].map(i128::from);
+        return (a * x + b * y + c * z) as f64 / *w as f64;
+    }
+    let numerator: Integer = dot(normal.coordinates(), [0, 1, 2].map(|axis| on.numerator(axis)));
+    let magnitude = approx_quotient(&numerator.abs(), &on.weight());
+    if numerator.sign() == Sign::Negative { -magnitude } else { magnitude }
 }
 
 /// A point as the bounds read it.
@@ -128,6 +144,9 @@ impl DepthBox {
     /// Bounds the depths of a point below the planes from below: a bound that is not a number says nothing.
     #[inline]
     pub fn least_depth(&self, point: &DepthPoint) -> DepthBounds {
+        if crate::stage::are_boxes_skipped() {
+            return DepthBounds::UNKNOWN;
+        }
         let term = |i: usize| {
             let s = point.values[i];
             let (a, b) = (self.low[i] * s, self.high[i] * s);

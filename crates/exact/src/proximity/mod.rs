@@ -10,3 +10,6 @@ mod ray;
 pub use depth::{DepthBounds, DepthBox, DepthPlane, DepthPoint, compare_depths};
 pub use query::{PlaneFloats, QueryPoint};
 pub use ray::side_of_ray;
+
+#[cfg(test)]
+mod tests;
