@@ -177,7 +177,7 @@ impl<'p> Pair<'p> {
 
 /// The greatest number of vertices of a hull that is searched for the nearest facet. Many more are needed if all facets of M
 /// are nearly as far from s; then M is built, in less time.
-const LIMIT: usize = 300;
+const LIMIT: usize = 1000;
 
 /// A hull with s in its interior, for polytopes that overlap.
 fn around<'b>(bodies: &'b Bodies<'b>, s: &'b Translation, witness: Witness) -> Expansion<'b> {

@@ -103,7 +103,7 @@ fn bounds_of_depths_hold_and_exact_depths_compare() {
                 assert!(exact[0] < exact[1], "{normal} {on} {second} {beside} {other}");
                 told += 1;
             }
-            let bounds = DepthBox::of(&planes).least_depth(&at);
+            let bounds = DepthCap::of(planes.iter()).least_depth(&at);
             for depth in &depths {
                 assert!(!depth.is_below(&bounds), "{normal} {on} {second} {beside} {other}");
             }
