@@ -3,10 +3,15 @@
 
 #![allow(clippy::print_stdout, reason = "tests print their seeds and what they have met")]
 
+mod check;
+mod contact;
 mod distance;
+mod invariance;
+mod models;
 mod number;
 mod pairs;
 mod placements;
 mod planes;
+mod random;
 mod rows;
 mod solid;

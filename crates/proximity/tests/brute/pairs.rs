@@ -17,8 +17,15 @@ fn cube() -> Polytope {
 }
 
 fn block([x, y, z]: [i64; 3]) -> Polytope {
-    let corners: Vec<[i64; 3]> =
-        (0..8).map(|i| [if i & 1 == 0 { -x } else { x }, if i & 2 == 0 { -y } else { y }, if i & 4 == 0 { -z } else { z }]).collect();
+    let corners: Vec<[i64; 3]> = (0..8)
+        .map(|i| {
+            [
+                if i & 1 == 0 { -x } else { x },
+                if i & 2 == 0 { -y } else { y },
+                if i & 4 == 0 { -z } else { z },
+            ]
+        })
+        .collect();
     hull(&corners)
 }
 

@@ -16,7 +16,10 @@ pub(crate) enum Made {
     Anywhere,
     Deep,
     /// Features of these dimensions touch, and their edges, if so many are there, are parallel or not.
-    Touch { dimensions: [usize; 2], is_parallel: bool },
+    Touch {
+        dimensions: [usize; 2],
+        is_parallel: bool,
+    },
 }
 
 /// A translation over the scale of the brute force, and what is known of it.
@@ -40,13 +43,7 @@ impl Census {
     }
 }
 
-impl<N: Number> Placement<N> {
-    /// The translation as it is.
-    pub(crate) fn rational(&self, scale: &Integer) -> [Rational; 3] {
-        rational(&self.s, scale)
-    }
-}
-
+/// A translation as it is.
 pub(crate) fn rational<N: Number>(s: &Triple<N>, scale: &Integer) -> [Rational; 3] {
     s.each_ref().map(|c| Rational::new(c.integer(), scale.clone()).expect("a scale is not zero"))
 }
@@ -89,7 +86,8 @@ fn mean<N: Number>(solid: &Solid<N>, chosen: &[usize]) -> Triple<N> {
 fn anywhere<N: Number>(brute: &Brute<N>, rng: &mut Rng) -> Triple<N> {
     let ends = |solid: &Solid<N>, axis: usize| {
         let values = || solid.vertices.iter().map(|v| v[axis].clone());
-        let (least, most) = (values().min_by(|a, b| a.sub(b).sign()), values().max_by(|a, b| a.sub(b).sign()));
+        let (least, most) =
+            (values().min_by(|a, b| a.sub(b).sign()), values().max_by(|a, b| a.sub(b).sign()));
         [least, most].map(|value| value.expect("there are vertices").integer())
     };
     let unit = Integer::from(PARTS);
