@@ -51,7 +51,7 @@ fn wrong_placements_are_refused() {
         ("nan 0 0\n", 1, "`nan` where a translation"),
         ("0 nan 0\n", 1, "`nan` is not finite"),
         ("0,0,0\n", 1, "`0,0,0` is no number"),
-        ("0 0 1e999\n", 1, "`1e999`"),
+        ("0 0 1e999\n", 1, "the exponent of `1e999` is too large"),
     ];
     for (text, line, sentence) in rows {
         let error = read_placements(text.as_bytes(), None).expect_err(text);
