@@ -1,8 +1,14 @@
 //! What a query answers.
 
+use crate::bodies::Bodies;
+use crate::contact::{Foot, contact, dot, minus, plus, quotient};
+use crate::expansion::{Exit, Expansion};
+use crate::relative::Solid;
 use crate::{RelativePlacement, Translation};
 use dcel::{FacetId, HalfedgeId, VertexId};
-use exact::{Rational, Vector3};
+use exact::{Quaternion, Rational, Vector3};
+use polytope::Polytope;
+use std::borrow::Cow;
 use std::fmt;
 
 /// How P and the moved Q lie to each other.
@@ -10,10 +16,9 @@ use std::fmt;
 pub enum Relation {
     /// They have no point in common.
     Disjoint,
-    /// They have common points, but their interiors have none: so it is whenever M has no interior.
+    /// They have common points, and a move as short as one likes makes them disjoint.
     Touching,
-    /// Their interiors meet; if one of them has none, its relative interior meets the interior of the other, or a
-    /// move in any direction leaves them in contact.
+    /// They have common points, and still have after any move that is short enough. If both have interiors, these meet.
     Overlapping,
 }
 
@@ -71,13 +76,51 @@ impl fmt::Display for Witness {
     }
 }
 
-/// The answer of `separation`.
+/// Who has answered.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Place<'a> {
+    /// A solid M.
+    Sum(&'a RelativePlacement, &'a Solid),
+    /// P and the turned Q.
+    Pair(&'a Polytope, &'a Polytope, Option<&'a Quaternion>),
+}
+
+impl<'a> Place<'a> {
+    pub(crate) fn bodies(self) -> Bodies<'a> {
+        match self {
+            Self::Sum(of, _) => Bodies::new(of.p(), of.q(), None),
+            Self::Pair(p, q, rotation) => Bodies::new(p, q, rotation),
+        }
+    }
+}
+
+impl Witness {
+    pub(crate) fn of_cell(located: u32, cell: Cell) -> Self {
+        Self(Kind::Cell { located, cell })
+    }
+
+    pub(crate) fn of_vertices(vertices: [u32; 2]) -> Self {
+        Self(Kind::Vertices(vertices))
+    }
+
+    /// The cell of M found.
+    fn cell(self) -> Cell {
+        match self.0 {
+            Kind::Cell { cell, .. } => cell,
+            Kind::Vertices(_) => unreachable!("the sum answers with a cell"),
+        }
+    }
+}
+
+/// The answer of `separation`. Numbers and features are made when they are asked for.
 #[derive(Clone, Debug)]
 pub struct Separation<'a> {
     pub(crate) relation: Relation,
     pub(crate) witness: Witness,
-    pub(crate) of: &'a RelativePlacement,
+    pub(crate) place: Place<'a>,
     pub(crate) s: &'a Translation,
+    /// Known if M has not been built.
+    pub(crate) foot: Option<Box<Foot>>,
 }
 
 impl Separation<'_> {
@@ -88,21 +131,55 @@ impl Separation<'_> {
 
     /// Gives the square of their distance: zero unless they are disjoint.
     pub fn squared_distance(&self) -> Rational {
-        panic!("not yet {:?}", (self.of, self.s))
+        if self.relation != Relation::Disjoint {
+            return Rational::ZERO;
+        }
+        let away = minus(&self.foot().point, &self.s.coordinates());
+        dot(&away, &away)
     }
 
     /// Gives a point of P and one of the moved Q that are as near to each other as any.
     ///
-    /// There may be more such pairs: disjoint or touching, it is the one whose point on P is lexicographically the
-    /// least. Overlapping, it is some common point, twice.
+    /// There may be more such pairs. If the polytopes are disjoint or touch, it is the pair whose point on P is
+    /// lexicographically the least; if they overlap, it is some common point, twice.
     pub fn closest_points(&self) -> [[Rational; 3]; 2] {
-        panic!("not yet")
+        let bodies = self.place.bodies();
+        if self.relation == Relation::Overlapping {
+            let mut hull = Expansion::new(&bodies, self.s.point(), bodies.start(None))
+                .expect("polytopes whose sum has no interior do not overlap");
+            hull.relation();
+            let point = hull.common_point();
+            return [point.clone(), point];
+        }
+        let foot = self.foot();
+        let on_p = contact(&bodies, &foot).on_p;
+        let on_q = plus(&minus(&on_p, &foot.point), &self.s.coordinates());
+        [on_p, on_q]
     }
 
-    /// Gives the features of P and Q in whose relative interiors the closest points lie, if these are chosen in
-    /// general position; for overlapping ones, the features that make the facet of M in the direction of s.
+    /// Gives the least faces of P and Q that contain all closest points; for overlapping polytopes, the features that make
+    /// the facet of M at which the query has ended.
     pub fn features(&self) -> [Feature; 2] {
-        panic!("not yet")
+        let bodies = self.place.bodies();
+        let foot = self.foot();
+        if self.relation == Relation::Overlapping {
+            return bodies.faces(&foot.normal);
+        }
+        contact(&bodies, &foot).features
+    }
+
+    fn foot(&self) -> Cow<'_, Foot> {
+        match (&self.foot, self.place) {
+            (Some(foot), _) => Cow::Borrowed(foot),
+            (None, Place::Sum(of, solid)) => Cow::Owned(match (self.relation, self.witness.cell()) {
+                (Relation::Disjoint, cell) => solid.cells.foot(of.sum(), cell, self.s.point()),
+                (_, Cell::Facet(f)) => {
+                    Foot { point: self.s.coordinates(), normal: of.sum().facet_normal(FacetId(f)).clone() }
+                }
+                _ => unreachable!("a point of M has been located in a facet"),
+            }),
+            (None, Place::Pair(..)) => unreachable!("without M the closest point is known"),
+        }
     }
 
     /// Gives where the query has ended.
@@ -116,7 +193,11 @@ impl Separation<'_> {
 pub struct DirectionalPenetration<'a> {
     pub(crate) relation: Relation,
     pub(crate) witness: Witness,
-    pub(crate) of: &'a RelativePlacement,
+    pub(crate) place: Place<'a>,
+    pub(crate) s: &'a Translation,
+    pub(crate) direction: &'a Vector3,
+    /// Known if M has not been built.
+    pub(crate) exit: Option<Box<Exit>>,
 }
 
 impl DirectionalPenetration<'_> {
@@ -128,12 +209,38 @@ impl DirectionalPenetration<'_> {
     /// Gives the least number alpha, not negative, such that the interiors no longer meet when Q moves on by alpha
     /// times the direction: zero unless they overlap.
     pub fn depth(&self) -> Rational {
-        panic!("not yet {:?}", self.of)
+        if self.relation != Relation::Overlapping {
+            return Rational::ZERO;
+        }
+        match (&self.exit, self.place) {
+            (Some(exit), _) => exit.depth.clone(),
+            (None, Place::Sum(of, solid)) => {
+                let (normal, height) = solid.height(of.sum(), self.witness.cell(), self.s);
+                quotient(&height, &Rational::from(normal.dot(self.direction)))
+            }
+            (None, Place::Pair(..)) => unreachable!("without M the depth is known"),
+        }
     }
 
-    /// Gives the facet of M through which Q leaves; `None` if they do not overlap, or without M.
+    /// Gives the facet of M through which Q leaves, one of them if the move ends at a vertex or an edge of M; `None` if
+    /// they do not overlap, or without M.
     pub fn facet(&self) -> Option<FacetId> {
-        panic!("not yet")
+        match (self.place, self.relation, self.witness.0) {
+            (Place::Sum(..), Relation::Overlapping, Kind::Cell { cell: Cell::Facet(f), .. }) => {
+                Some(FacetId(f))
+            }
+            _ => None,
+        }
+    }
+
+    /// Gives the features of P and Q that make the facet; `None` if they do not overlap.
+    pub fn features(&self) -> Option<[Feature; 2]> {
+        let bodies = self.place.bodies();
+        match (&self.exit, self.place, self.facet()) {
+            (Some(exit), ..) => Some(bodies.faces(&exit.normal)),
+            (None, Place::Sum(of, _), Some(facet)) => Some(bodies.faces(of.sum().facet_normal(facet))),
+            _ => None,
+        }
     }
 
     /// Gives where the query has ended.
@@ -146,28 +253,45 @@ impl DirectionalPenetration<'_> {
 #[derive(Clone, Debug)]
 pub struct Penetration<'a> {
     pub(crate) witness: Witness,
-    pub(crate) of: &'a RelativePlacement,
+    pub(crate) place: Place<'a>,
+    pub(crate) s: &'a Translation,
+    /// Known if M has not been built.
+    pub(crate) exit: Option<Box<Exit>>,
 }
 
 impl Penetration<'_> {
     /// Gives the square of the length of the shortest move that ends the overlap.
     pub fn squared_depth(&self) -> Rational {
-        panic!("not yet {:?}", self.of)
+        match (&self.exit, self.place) {
+            (Some(exit), _) => exit.depth.clone(),
+            (None, Place::Sum(of, solid)) => {
+                let (normal, height) = solid.height(of.sum(), self.witness.cell(), self.s);
+                quotient(&(&height * &height), &Rational::from(normal.dot(normal)))
+            }
+            (None, Place::Pair(..)) => unreachable!("without M the depth is known"),
+        }
     }
 
     /// Gives the facet of M nearest to s, the first one of several; `None` without M.
     pub fn facet(&self) -> Option<FacetId> {
-        panic!("not yet")
+        match (self.place, self.witness.0) {
+            (Place::Sum(..), Kind::Cell { cell: Cell::Facet(f), .. }) => Some(FacetId(f)),
+            _ => None,
+        }
     }
 
     /// Gives a direction of the shortest move of Q: the outer normal of the facet, primitive.
     pub fn direction(&self) -> Vector3 {
-        panic!("not yet")
+        match (&self.exit, self.place, self.facet()) {
+            (Some(exit), ..) => exit.normal.primitive(),
+            (None, Place::Sum(of, _), Some(facet)) => of.sum().facet_normal(facet).primitive(),
+            _ => unreachable!("with M the facet is known, and without it the direction"),
+        }
     }
 
     /// Gives the features of P and Q that make the facet: those in contact after the move.
     pub fn features(&self) -> [Feature; 2] {
-        panic!("not yet")
+        self.place.bodies().faces(&self.direction())
     }
 
     /// Gives where the query has ended.

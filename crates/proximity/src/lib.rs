@@ -10,15 +10,23 @@
 //! | `voronoi` | the closest feature of M, by a walk over its Voronoi regions |
 //! | `hierarchy` | the nearest facet plane, by branch and bound |
 //! | `pair` | [`Pair`]: the same answers without M, for Q turned by any exact rotation |
-//! | `support`, `simplex`, `expansion` | its parts: extreme vertices, the closest point, a hull that grows where it must |
+//! | `bodies`, `simplex`, `expansion` | its parts: extreme vertices, the closest point, a hull that grows where it must |
 //! | `contact` | the points and the features where two faces meet |
 //! | `motion` | [`Motion`]: one placement after the other |
 
 mod answer;
+mod bodies;
+mod cells;
+mod contact;
+mod expansion;
+mod grid;
+mod hierarchy;
 mod motion;
 mod pair;
 mod relative;
+mod simplex;
 mod translation;
+mod voronoi;
 
 pub use answer::{DirectionalPenetration, Feature, Penetration, Relation, Separation, Witness};
 pub use motion::{Motion, Placement};
@@ -27,3 +35,6 @@ pub use relative::RelativePlacement;
 pub use translation::Translation;
 
 pub use polytope::{FacetId, HalfedgeId, VertexId};
+
+#[cfg(test)]
+mod tests;
