@@ -10,7 +10,9 @@ use crate::random::direction;
 use crate::solid::common_scale;
 use exact::{Affine3, Integer, Quaternion, Rational, Vector3};
 use polytope::Polytope;
-use splitstar_proximity::{Motion, Pair, Placement, RelativePlacement, Separation, Translation, Witness};
+use splitstar_proximity::{
+    Motion, Pair, Placement, Relation, RelativePlacement, Separation, Translation, Witness,
+};
 use testkit::{Rng, quaternion};
 
 /// Placements of each pair.
@@ -19,7 +21,7 @@ const COUNT: usize = 90;
 /// All answers about one placement.
 #[derive(Clone, PartialEq, Debug)]
 struct Answers {
-    relation: splitstar_proximity::Relation,
+    relation: Relation,
     squared_distance: Rational,
     squared_depth: Option<Rational>,
     along: Rational,
@@ -145,13 +147,26 @@ fn all_may_be_scaled() {
 
 /// All that a separation says.
 fn said(separation: &Separation<'_>) -> String {
-    format!(
-        "{:?} {} {:?} {:?}",
-        separation.relation(),
-        separation.squared_distance(),
-        separation.closest_points(),
-        separation.features()
-    )
+    let relation = separation.relation();
+    let features = (relation != Relation::Overlapping).then(|| separation.features());
+    let points = separation.closest_points();
+    format!("{relation:?} {} {points:?} {features:?}", separation.squared_distance())
+}
+
+/// All that is said of penetration. Without the sum, which of several nearest facets is found may depend on where the search begins.
+fn said_of_depth(
+    subject: &Subject<'_>,
+    s: &Translation,
+    direction: &Vector3,
+    hint: Option<Witness>,
+) -> String {
+    let along = subject.along(s, direction, hint).expect("the direction is not zero");
+    let least = match subject {
+        Subject::Sum(_) => subject.depth(s, hint),
+        Subject::Pair(..) => None,
+    };
+    let least = least.map(|found| (found.facet(), found.direction().coordinates(), found.features()));
+    format!("{least:?} {:?}", along.depth())
 }
 
 #[test]
@@ -169,6 +184,8 @@ fn any_hint_will_do() {
                 let hint = Some(*rng.choose(&hints));
                 assert_eq!(answers(subject, s, &direction, hint), expected, "{name}: {s:?} {hint:?}");
                 assert_eq!(said(&subject.separation(s, hint)), said(&first), "{name}: {s:?} {hint:?}");
+                let [found, expected] = [hint, None].map(|hint| said_of_depth(subject, s, &direction, hint));
+                assert_eq!(found, expected, "{name}: {s:?} {hint:?}");
             }
             // Of other polytopes, too.
             foreign.push(*rng.choose(&hints));
