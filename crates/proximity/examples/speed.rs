@@ -107,7 +107,11 @@ fn ball(rng: &mut Rng, radius: f64) -> [f64; 3] {
     }
 }
 
-fn scattered(rng: &mut Rng, of: &RelativePlacement, is_wanted: &dyn Fn(Relation) -> bool) -> Vec<Translation> {
+fn scattered(
+    rng: &mut Rng,
+    of: &RelativePlacement,
+    is_wanted: &dyn Fn(Relation) -> bool,
+) -> Vec<Translation> {
     let point = |_: usize| Translation::from_f64(ball(rng, 1.5 * DIAMETER)).expect("a finite point");
     (0..).map(point).filter(|s| is_wanted(of.relation(s, None).0)).take(20_000).collect()
 }

@@ -4,11 +4,11 @@ use crate::bodies::Bodies;
 use crate::contact::{Foot, contact, dot, minus, plus, quotient};
 use crate::expansion::{Exit, Expansion};
 use crate::relative::Solid;
+use crate::simplex::Nearest;
 use crate::{RelativePlacement, Translation};
 use dcel::{FacetId, HalfedgeId, VertexId};
 use exact::{Quaternion, Rational, Vector3};
 use polytope::Polytope;
-use std::borrow::Cow;
 use std::fmt;
 
 /// How P and the moved Q lie to each other.
@@ -120,7 +120,7 @@ pub struct Separation<'a> {
     pub(crate) place: Place<'a>,
     pub(crate) s: &'a Translation,
     /// Known if M has not been built.
-    pub(crate) foot: Option<Box<Foot>>,
+    pub(crate) near: Option<Box<Nearest>>,
 }
 
 impl Separation<'_> {
@@ -145,7 +145,7 @@ impl Separation<'_> {
     pub fn closest_points(&self) -> [[Rational; 3]; 2] {
         let bodies = self.place.bodies();
         if self.relation == Relation::Overlapping {
-            let mut hull = Expansion::new(&bodies, self.s.point(), bodies.start(None))
+            let mut hull = Expansion::new(&bodies, &self.s.0, bodies.start(None))
                 .expect("polytopes whose sum has no interior do not overlap");
             hull.relation();
             let point = hull.common_point();
@@ -168,16 +168,16 @@ impl Separation<'_> {
         contact(&bodies, &foot).features
     }
 
-    fn foot(&self) -> Cow<'_, Foot> {
-        match (&self.foot, self.place) {
-            (Some(foot), _) => Cow::Borrowed(foot),
-            (None, Place::Sum(of, solid)) => Cow::Owned(match (self.relation, self.witness.cell()) {
+    fn foot(&self) -> Foot {
+        match (&self.near, self.place) {
+            (Some(near), _) => near.foot(self.s.point()),
+            (None, Place::Sum(of, solid)) => match (self.relation, self.witness.cell()) {
                 (Relation::Disjoint, cell) => solid.cells.foot(of.sum(), cell, self.s.point()),
                 (_, Cell::Facet(f)) => {
                     Foot { point: self.s.coordinates(), normal: of.sum().facet_normal(FacetId(f)).clone() }
                 }
                 _ => unreachable!("a point of M has been located in a facet"),
-            }),
+            },
             (None, Place::Pair(..)) => unreachable!("without M the closest point is known"),
         }
     }

@@ -10,14 +10,15 @@
 use crate::Relation;
 use crate::bodies::{Bodies, Corner};
 use crate::contact::{Coordinates, cross, dot, minus, plus, quotient, rationals, times};
-use exact::proximity::side_of_ray;
-use exact::{Integer, Point3, Rational, Sign, Vector3, predicate};
+use exact::proximity::{DepthBounds, DepthPlane, DepthPoint, QueryPoint, compare_depths, side_of_ray};
+use exact::{Point3, Rational, Sign, Vector3, predicate};
+use std::cmp::Ordering;
 
 /// The hull, around a point that is asked about.
 #[derive(Clone, Debug)]
 pub(crate) struct Expansion<'b> {
     bodies: &'b Bodies<'b>,
-    s: &'b Point3,
+    s: &'b QueryPoint,
     corners: Vec<Corner>,
     facets: Vec<Facet>,
 }
@@ -30,8 +31,8 @@ struct Facet {
     /// Where s lies.
     side: Sign,
     is_final: bool,
-    /// The square of the distance from s to its plane, once it has been asked for.
-    squared_depth: Option<Rational>,
+    /// How deep s lies below its plane, once that has been asked for.
+    depth: Option<DepthBounds>,
 }
 
 /// A facet of M with its plane.
@@ -46,7 +47,7 @@ pub(crate) struct Exit {
 
 impl<'b> Expansion<'b> {
     /// Begins with a tetrahedron; `None` if M lies in a plane.
-    pub(crate) fn new(bodies: &'b Bodies<'b>, s: &'b Point3, start: [u32; 2]) -> Option<Self> {
+    pub(crate) fn new(bodies: &'b Bodies<'b>, s: &'b QueryPoint, start: [u32; 2]) -> Option<Self> {
         let axes = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(Vector3::from_i64);
         let extreme = |direction: &Vector3| bodies.corner(bodies.extreme(direction, start));
         let both = |directions: &[Vector3], is_good: &dyn Fn(&Corner) -> bool| {
@@ -75,13 +76,18 @@ impl<'b> Expansion<'b> {
 
     fn add(&mut self, corners: [usize; 3]) {
         let [a, b, c] = corners.map(|i| &self.corners[i].at);
-        let normal = a.direction_to(b).cross(&a.direction_to(c)).primitive();
-        let side = predicate::plane_side(&normal, a, self.s);
-        self.facets.push(Facet { corners, normal, side, is_final: false, squared_depth: None });
+        let normal = a.direction_to(b).cross(&a.direction_to(c));
+        let side = predicate::plane_side(&normal, a, self.s.point());
+        self.facets.push(Facet { corners, normal, side, is_final: false, depth: None });
     }
 
     fn point(&self, facet: &Facet) -> &Point3 {
         &self.corners[facet.corners[0]].at
+    }
+
+    /// Whether a point lies strictly above a facet.
+    fn sees(&self, corner: &Corner, facet: &Facet) -> bool {
+        predicate::plane_side(&facet.normal, self.point(facet), &corner.at) == Sign::Positive
     }
 
     /// Tells whether a facet is final; else the hull grows, and facets have other numbers.
@@ -92,14 +98,13 @@ impl<'b> Expansion<'b> {
         }
         let from = self.corners[facet.corners[0]].of;
         let corner = self.bodies.corner(self.bodies.extreme(&facet.normal, from));
-        let sees = |facet: &Facet| {
-            predicate::plane_side(&facet.normal, self.point(facet), &corner.at) == Sign::Positive
-        };
-        if !sees(facet) {
+        if !self.sees(&corner, facet) {
             self.facets[index].is_final = true;
             return true;
         }
-        let (seen, kept): (Vec<Facet>, Vec<Facet>) = self.facets.iter().cloned().partition(sees);
+        let facets = std::mem::take(&mut self.facets);
+        let (seen, kept): (Vec<Facet>, Vec<Facet>) =
+            facets.into_iter().partition(|facet| self.sees(&corner, facet));
         let apex = self.corners.len();
         self.corners.push(corner);
         self.facets = kept;
@@ -139,7 +144,7 @@ impl<'b> Expansion<'b> {
         let is_stabbed = |facet: &Facet| {
             edges(facet.corners).into_iter().all(|[i, j]| {
                 let (a, b) = (&self.corners[i].at, &self.corners[j].at);
-                side_of_ray(self.s, ray, &a.direction_to(b), a) != Sign::Negative
+                side_of_ray(self.s.point(), ray, &a.direction_to(b), a) != Sign::Negative
             })
         };
         self.facets.iter().position(is_stabbed).expect("a ray from the interior of a hull stabs a facet")
@@ -160,41 +165,55 @@ impl<'b> Expansion<'b> {
 
     /// How far below a facet s lies, times the length of its normal.
     fn height(&self, facet: &Facet) -> Rational {
-        let away = minus(&self.point(facet).coordinates(), &self.s.coordinates());
+        let away = minus(&self.point(facet).coordinates(), &self.s.point().coordinates());
         dot(&rationals(&facet.normal), &away)
     }
 
-    /// The facet plane of M nearest to s, which lies inside the hull; the depth is squared.
-    pub(crate) fn nearest_plane(&mut self) -> Exit {
+    /// The facet plane of M nearest to s, which lies inside the hull; the depth is squared. `None` if the hull would have more
+    /// than so many vertices.
+    pub(crate) fn nearest_plane(&mut self, limit: usize) -> Option<Exit> {
+        let point = DepthPoint::new(self.s);
         loop {
-            for i in 0..self.facets.len() {
-                if self.facets[i].squared_depth.is_none() {
-                    let facet = &self.facets[i];
-                    let height = self.height(facet);
-                    let length: Integer = facet.normal.dot(&facet.normal);
-                    let depth = quotient(&(&height * &height), &Rational::from(length));
-                    self.facets[i].squared_depth = Some(depth);
-                }
+            let corners = &self.corners;
+            for facet in self.facets.iter_mut().filter(|facet| facet.depth.is_none()) {
+                let plane = DepthPlane::new(&facet.normal, &corners[facet.corners[0]].at);
+                facet.depth = Some(plane.depth(&point));
             }
-            let depth = |i: &usize| &self.facets[*i].squared_depth;
-            let index = (0..self.facets.len()).min_by(|i, j| depth(i).cmp(depth(j)));
-            let index = index.expect("a hull has facets");
+            let index = self.least_deep();
             if self.settle(index) {
                 let facet = &self.facets[index];
-                let depth = facet.squared_depth.clone().expect("all depths are known");
-                return Exit { normal: facet.normal.clone(), depth, of: self.corners[facet.corners[0]].of };
+                let (height, n) = (self.height(facet), rationals(&facet.normal));
+                let depth = quotient(&(&height * &height), &dot(&n, &n));
+                let of = self.corners[facet.corners[0]].of;
+                return Some(Exit { normal: facet.normal.clone(), depth, of });
+            }
+            if self.corners.len() > limit {
+                return None;
             }
         }
+    }
+
+    /// The facet below which s lies the least deep, for known depths.
+    fn least_deep(&self) -> usize {
+        let depth = |facet: &Facet| facet.depth.expect("all depths are known");
+        let plane = |i: usize| (&self.facets[i].normal, self.point(&self.facets[i]));
+        (1..self.facets.len()).fold(0, |best, i| {
+            let (least, other) = (depth(&self.facets[best]), depth(&self.facets[i]));
+            let is_less = !least.is_below(&other)
+                && (other.is_below(&least)
+                    || compare_depths(self.s.point(), plane(i), plane(best)) == Ordering::Less);
+            if is_less { i } else { best }
+        })
     }
 
     /// A point that P and Q, moved by s, have in common, for s inside the hull.
     pub(crate) fn common_point(&self) -> Coordinates {
         // s lies in the tetrahedron of one vertex and the facet that the ray from that vertex through s stabs.
         let first = &self.corners[self.facets[0].corners[0]];
-        let facet = &self.facets[self.stabbed(&first.at.direction_to(self.s))];
+        let facet = &self.facets[self.stabbed(&first.at.direction_to(self.s.point()))];
         let [a, b, c] = facet.corners.map(|i| &self.corners[i]);
         let corners = [first, a, b, c];
-        let at = corners.map(|corner| minus(&corner.at.coordinates(), &self.s.coordinates()));
+        let at = corners.map(|corner| minus(&corner.at.coordinates(), &self.s.point().coordinates()));
         // Barycentric coordinates of the origin: minors of the matrix of the corners, with alternating signs.
         let minor = |[i, j, k]: [usize; 3]| dot(&at[i], &cross(&at[j], &at[k]));
         let weights = [minor([1, 2, 3]), -minor([0, 2, 3]), minor([0, 1, 3]), -minor([0, 1, 2])];

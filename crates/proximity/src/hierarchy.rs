@@ -1,10 +1,10 @@
 //! The facet of M whose plane is nearest to a point inside.
 //!
 //! The depth below a facet is a linear function of the point, and the least one of all is not unimodal over the facets. So it is
-//! searched for by branch and bound in a hierarchy of boxes of unit normals and offsets. All bounds are certified; where the
+//! searched for by branch and bound in a hierarchy of caps of unit normals with least offsets. All bounds are certified; where the
 //! bounds of two facets overlap, the exact depths are compared.
 
-use exact::proximity::{DepthBounds, DepthBox, DepthPlane, DepthPoint, QueryPoint, compare_depths};
+use exact::proximity::{DepthBounds, DepthCap, DepthPlane, DepthPoint, QueryPoint, compare_depths};
 use exact::{Point3, Sign, Vector3};
 use std::cmp::Ordering;
 
@@ -21,7 +21,7 @@ pub(crate) struct Hierarchy {
 
 #[derive(Clone, Debug)]
 struct Node {
-    bounds: DepthBox,
+    bounds: DepthCap,
     /// The planes of a leaf; else the first child follows its parent, and the second one is `second`.
     first: u32,
     count: u32,
@@ -56,14 +56,19 @@ impl Hierarchy {
 
     /// The tree over some of the facets, which stand at `first`.
     fn build(&mut self, planes: &[DepthPlane], facets: &mut [u32], first: u32, scales: [f64; 4]) {
-        let bounds = DepthBox::of(facets.iter().map(|&f| &planes[f as usize]));
+        let bounds = DepthCap::of(facets.iter().map(|&f| &planes[f as usize]));
         let node = self.nodes.len();
         self.nodes.push(Node { bounds, first, count: facets.len() as u32, second: 0 });
         if facets.len() <= LEAF {
             return;
         }
-        let sizes = bounds.approx_sizes();
-        let size = |axis: usize| sizes[axis] * scales[axis];
+        let size = |axis: usize| {
+            let values = facets.iter().map(|&f| planes[f as usize].approx_f64()[axis]);
+            let (low, high) = values.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), value| {
+                (value.min(low), value.max(high))
+            });
+            (high - low) * scales[axis]
+        };
         let axis = (0..4).max_by(|&a, &b| size(a).total_cmp(&size(b))).expect("there are four");
         let value = |f: &u32| planes[*f as usize].approx_f64()[axis];
         let half = facets.len() / 2;

@@ -2,11 +2,12 @@
 
 use crate::answer::Place;
 use crate::bodies::Bodies;
-use crate::contact::Foot;
-use crate::expansion::Expansion;
+use crate::expansion::{Exit, Expansion};
 use crate::simplex::nearest;
-use crate::{DirectionalPenetration, Penetration, Relation, Separation, Translation, Witness};
-use exact::{Quaternion, Vector3};
+use crate::{
+    DirectionalPenetration, Penetration, Relation, RelativePlacement, Separation, Translation, Witness,
+};
+use exact::{Affine3, Quaternion, Vector3};
 use polytope::Polytope;
 
 /// Two polytopes P and Q of any dimension: the same queries as those of [`RelativePlacement`](crate::RelativePlacement), with Q
@@ -56,7 +57,7 @@ impl<'p> Pair<'p> {
         if !near.direction.is_zero() {
             return (Relation::Disjoint, Witness::of_vertices(of));
         }
-        match Expansion::new(&bodies, s.point(), of) {
+        match Expansion::new(&bodies, &s.0, of) {
             Some(mut hull) => {
                 let (relation, of) = hull.relation();
                 (relation, Witness::of_vertices(of))
@@ -85,18 +86,18 @@ impl<'p> Pair<'p> {
         'p: 'a,
     {
         let bodies = Bodies::new(self.p, self.q, rotation);
-        let near = nearest(&bodies, s.point(), bodies.start(hint), false);
-        let (mut foot, mut of) = (near.foot(s.point()), near.corners[0].of);
+        let mut near = nearest(&bodies, s.point(), bodies.start(hint), false);
+        let mut of = near.corners[0].of;
         let mut relation = Relation::Disjoint;
         if near.direction.is_zero() {
             relation = Relation::Touching;
-            if let Some(mut hull) = Expansion::new(&bodies, s.point(), of) {
+            if let Some(mut hull) = Expansion::new(&bodies, &s.0, of) {
                 (relation, of) = hull.relation();
-                foot = Foot { normal: hull.normal_at(relation), ..foot };
+                near.normal = Some(hull.normal_at(relation));
             }
         }
         let place = Place::Pair(self.p, self.q, rotation);
-        Separation { relation, witness: Witness::of_vertices(of), place, s, foot: Some(Box::new(foot)) }
+        Separation { relation, witness: Witness::of_vertices(of), place, s, near: Some(Box::new(near)) }
     }
 
     /// Finds how far Q, turned and then moved by s, has to go on in a direction until the interiors no longer meet;
@@ -156,18 +157,33 @@ impl<'p> Pair<'p> {
             return None;
         }
         let mut hull = around(&bodies, s, witness);
-        let exit = hull.nearest_plane();
+        let exit = hull.nearest_plane(LIMIT).unwrap_or_else(|| self.by_sum(s, rotation, witness));
         let witness = Witness::of_vertices(exit.of);
         let place = Place::Pair(self.p, self.q, rotation);
         Some(Penetration { witness, place, s, exit: Some(Box::new(exit)) })
     }
+
+    /// The nearest facet, found by building M.
+    fn by_sum(&self, s: &Translation, rotation: Option<&Quaternion>, witness: Witness) -> Exit {
+        let turned = rotation.map(|rotation| self.q.transformed(&Affine3::rotation(rotation)));
+        let sum = RelativePlacement::new(self.p, turned.as_ref().unwrap_or(self.q));
+        let found = sum.minimum_penetration(s, None).expect("the polytopes overlap");
+        let bodies = Bodies::new(self.p, self.q, rotation);
+        let normal = found.direction();
+        let of = bodies.extreme(&normal, bodies.start(Some(witness)));
+        Exit { depth: found.squared_depth(), normal, of }
+    }
 }
+
+/// The greatest number of vertices of a hull that is searched for the nearest facet. Many more are needed if all facets of M
+/// are nearly as far from s; then M is built, in less time.
+const LIMIT: usize = 1000;
 
 /// A hull with s in its interior, for polytopes that overlap.
 fn around<'b>(bodies: &'b Bodies<'b>, s: &'b Translation, witness: Witness) -> Expansion<'b> {
     let start = bodies.start(Some(witness));
     let mut hull =
-        Expansion::new(bodies, s.point(), start).expect("polytopes whose sum lies in a plane do not overlap");
+        Expansion::new(bodies, &s.0, start).expect("polytopes whose sum lies in a plane do not overlap");
     hull.relation();
     hull
 }

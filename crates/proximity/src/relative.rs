@@ -184,7 +184,7 @@ impl RelativePlacement {
             witness: Witness::of_cell(located, cell),
             place: Place::Sum(self, solid),
             s,
-            foot: None,
+            near: None,
         }
     }
 

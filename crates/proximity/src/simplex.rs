@@ -19,12 +19,16 @@ pub(crate) struct Nearest {
     pub(crate) corners: Vec<Corner>,
     /// From the closest point to s, some positive multiple; zero if M contains s.
     pub(crate) direction: Vector3,
+    /// An outer normal of a facet of M in which s lies, if it is known that s lies in the boundary of a solid M; of something
+    /// below a facet, if s lies inside.
+    pub(crate) normal: Option<Vector3>,
 }
 
 impl Nearest {
     pub(crate) fn foot(&self, s: &Point3) -> Foot {
         if self.direction.is_zero() {
-            return Foot { point: s.coordinates(), normal: self.direction.clone() };
+            let normal = self.normal.as_ref().unwrap_or(&self.direction);
+            return Foot { point: s.coordinates(), normal: normal.clone() };
         }
         match &self.corners[..] {
             [a] => Foot::at(&a.at, s),
@@ -72,7 +76,8 @@ fn closest(corners: &[Corner], s: &Point3) -> Nearest {
             let is_beyond =
                 |i: usize| predicate::plane_side(&direction, &last.at, &others[i].at) == Sign::Positive;
             if direction.is_zero() || !(0..n).filter(|i| !is_chosen(i)).any(is_beyond) {
-                return Nearest { corners: face.into_iter().cloned().collect(), direction };
+                let corners = face.into_iter().cloned().collect();
+                return Nearest { corners, direction, normal: None };
             }
         }
     }

@@ -2,16 +2,20 @@
 
 use super::QueryPoint;
 use crate::predicate::dot;
-use crate::{Integer, Point3, Rational, Vector3};
+use crate::rational::approx_quotient;
+use crate::{Integer, Point3, Sign, Vector3};
 use std::cmp::Ordering;
 
 /// An upper bound of the relative errors below: a depth is a sum of four terms, whose factors have a few roundings each.
 /// u = 2^-53 is the unit of rounding. A coordinate of a normal is nearest to an integer (u); its squares, their sum, the root and
 /// the quotient add at most 5u; the offset has as many; a coordinate of the point is a quotient of two rounded numbers (3u); products
-/// and sums add 5u. Altogether at most 16u, to first order; 2^-48 is 32u.
+/// and sums add 5u. Altogether at most 20u, to first order; 2^-48 is 32u.
 const ERROR: f64 = f64::from_bits((1023 - 48) << 52);
 /// More than what underflow may add to a few such terms.
 const TINY: f64 = f64::MIN_POSITIVE;
+
+/// A distance whose square does not underflow.
+const LEAST_LENGTH: f64 = f64::from_bits((1023 - 400) << 52);
 
 /// A plane with a unit normal, rounded.
 #[derive(Clone, Copy, Debug)]
@@ -28,6 +32,8 @@ pub struct DepthBounds {
 }
 
 impl DepthBounds {
+    const UNKNOWN: Self = Self { low: f64::NAN, high: f64::NAN };
+
     /// Tells whether the depth is certainly less than the other one.
     #[inline]
     pub fn is_below(&self, other: &Self) -> bool {
@@ -56,10 +62,7 @@ impl DepthPlane {
         let [x, y, z] = [x, y, z].map(|value| value / greatest);
         let length = (x * x + y * y + z * z).sqrt();
         let unit = [x, y, z].map(|value| value / length);
-        let offset =
-            Rational::new(dot(normal.coordinates(), [0, 1, 2].map(|axis| on.numerator(axis))), on.weight())
-                .expect("a weight is positive");
-        let offset = offset.approx_f64() / greatest / length;
+        let offset = approx_offset(normal, on) / greatest / length;
         Self { values: [unit[0], unit[1], unit[2], offset] }
     }
 
@@ -71,6 +74,9 @@ impl DepthPlane {
     /// Bounds how far below the plane a point lies.
     #[inline]
     pub fn depth(&self, point: &DepthPoint) -> DepthBounds {
+        if crate::stage::are_boxes_skipped() {
+            return DepthBounds::UNKNOWN;
+        }
         let ([a, b, c, d], [x, y, z]) = (self.values, point.values);
         let depth = d - ((a * x + b * y) + c * z);
         // Coordinates of a unit vector are at most one.
@@ -80,12 +86,28 @@ impl DepthPlane {
     }
 }
 
+/// normal . on, with at most three roundings.
+fn approx_offset(normal: &Vector3, on: &Point3) -> f64 {
+    if let (Some([a, b, c]), Some([x, y, z, w])) = (normal.to_i128(), on.as_narrow())
+        && normal.bits() + on.bits() + 2 < 127
+    {
+        let [x, y, z] = [*x, *y, *z].map(i128::from);
+        return (a * x + b * y + c * z) as f64 / *w as f64;
+    }
+    let numerator: Integer = dot(normal.coordinates(), [0, 1, 2].map(|axis| on.numerator(axis)));
+    let magnitude = approx_quotient(&numerator.abs(), &on.weight());
+    if numerator.sign() == Sign::Negative { -magnitude } else { magnitude }
+}
+
 /// A point as the bounds read it.
 #[derive(Clone, Copy, Debug)]
 pub struct DepthPoint {
     values: [f64; 3],
     /// The sum of their magnitudes.
     sum: f64,
+    /// At least the distance from the origin, and its square rounded up; large enough not to underflow.
+    length: f64,
+    square: f64,
 }
 
 impl DepthPoint {
@@ -96,49 +118,85 @@ impl DepthPoint {
         let values =
             if point.floats()[3].is_finite() { point.approx_f64() } else { [f64::NAN, f64::NAN, f64::NAN] };
         let [x, y, z] = values;
-        Self { values, sum: x.abs() + y.abs() + z.abs() }
+        let length = (x * x + y * y + z * z).sqrt() * (1.0 + ROUNDING);
+        let length = if length < LEAST_LENGTH { LEAST_LENGTH } else { length };
+        let square = length * length * (1.0 + ROUNDING);
+        Self { values, sum: x.abs() + y.abs() + z.abs(), length, square }
     }
 }
 
-/// A box that contains some planes, as unit normals with offsets.
+/// A cap of the sphere that contains the unit normals of some planes, and the least of their offsets.
 #[derive(Clone, Copy, Debug)]
-pub struct DepthBox {
-    low: [f64; 4],
-    high: [f64; 4],
+pub struct DepthCap {
+    axis: [f64; 3],
+    /// Cosine and sine of the greatest angle between the axis and a normal; the angle is rounded up.
+    cosine: f64,
+    sine: f64,
+    /// The least offset, and the greatest magnitude of one.
+    offset: f64,
+    greatest: f64,
 }
 
-impl DepthBox {
-    /// Gives the smallest box that contains the planes.
-    pub fn of<'a>(planes: impl IntoIterator<Item = &'a DepthPlane>) -> Self {
-        let empty = Self { low: [f64::INFINITY; 4], high: [f64::NEG_INFINITY; 4] };
-        planes.into_iter().fold(empty, |all, plane| {
-            let value = |i: usize| plane.values[i];
-            // A value that is no number makes the box unbounded.
-            let low = |i: usize| if value(i).is_nan() { f64::NEG_INFINITY } else { all.low[i].min(value(i)) };
-            let high = |i: usize| if value(i).is_nan() { f64::INFINITY } else { all.high[i].max(value(i)) };
-            Self { low: [0, 1, 2, 3].map(low), high: [0, 1, 2, 3].map(high) }
-        })
+/// By this the cosines are less than computed.
+const SLACK: f64 = f64::from_bits((1023 - 45) << 52);
+/// More than the errors of a few sums of squares of coordinates of unit vectors.
+const ROUNDING: f64 = f64::from_bits((1023 - 49) << 52);
+
+impl DepthCap {
+    /// Gives a small cap that contains the planes, around the mean of their normals.
+    pub fn of<'a>(planes: impl Iterator<Item = &'a DepthPlane> + Clone) -> Self {
+        let mut axis = [0.0; 3];
+        for plane in planes.clone() {
+            axis.iter_mut().zip(plane.values).for_each(|(sum, value)| *sum += value);
+        }
+        let [x, y, z] = axis;
+        let length = (x * x + y * y + z * z).sqrt();
+        // Normals that cancel, or are not known, have no mean.
+        let axis = if length > ROUNDING { axis.map(|sum| sum / length) } else { [1.0, 0.0, 0.0] };
+        let (mut cosine, mut offset, mut greatest) = (1.0_f64, f64::INFINITY, 0.0_f64);
+        for plane in planes {
+            let [a, b, c, d] = plane.values;
+            let cosine_of_plane = axis[0] * a + axis[1] * b + axis[2] * c;
+            if cosine_of_plane.is_nan() || d.is_nan() {
+                return Self {
+                    axis: [1.0, 0.0, 0.0],
+                    cosine: -1.0,
+                    sine: 0.0,
+                    offset: f64::NAN,
+                    greatest: 0.0,
+                };
+            }
+            cosine = cosine.min(cosine_of_plane);
+            offset = offset.min(d);
+            greatest = greatest.max(d.abs());
+        }
+        let cosine = (cosine - SLACK).max(-1.0);
+        let sine = (1.0 - cosine * cosine + ROUNDING).sqrt();
+        Self { axis, cosine, sine, offset, greatest }
     }
 
-    /// Gives the sizes of the box: for an order of work.
-    pub fn approx_sizes(&self) -> [f64; 4] {
-        [0, 1, 2, 3].map(|i: usize| self.high[i] - self.low[i])
-    }
-
-    /// Bounds the depths of a point below the planes from below: a bound that is not a number says nothing.
+    /// Bounds the depths of a point below the planes from below.
+    ///
+    /// With the angle f between the axis and the point s, and t the angle of the cap, no normal u of the cap has a greater u . s
+    /// than |s| cos(f - t), or |s| if f <= t. Near f = t both are the same to second order, so it does not matter how
+    /// rounding decides; and the sine of f, which is not well conditioned where it is small, is rounded up.
     #[inline]
     pub fn least_depth(&self, point: &DepthPoint) -> DepthBounds {
-        let term = |i: usize| {
-            let s = point.values[i];
-            let (a, b) = (self.low[i] * s, self.high[i] * s);
-            if a > b { a } else { b }
+        if crate::stage::are_boxes_skipped() {
+            return DepthBounds::UNKNOWN;
+        }
+        let ([a, b, c], [x, y, z]) = (self.axis, point.values);
+        let along = (a * x + b * y) + c * z;
+        let reach = if along < self.cosine * point.length {
+            // What is not a number, where squares overflow, has to stay.
+            let square = point.square - along * along;
+            let across = if square < 0.0 { 0.0 } else { square.sqrt() };
+            along * self.cosine + across * self.sine
+        } else {
+            point.length
         };
-        let (p, q, r) = (term(0), term(1), term(2));
-        let d = self.low[3];
-        let depth = d - ((p + q) + r);
-        let greatest = self.low[3].abs().max(self.high[3].abs());
-        let error = (greatest + point.sum) * ERROR + TINY;
-        DepthBounds { low: depth - error, high: f64::INFINITY }
+        let error = (self.greatest + point.sum) * ERROR + TINY;
+        DepthBounds { low: self.offset - reach - error, high: f64::INFINITY }
     }
 }
 

@@ -7,6 +7,9 @@ mod depth;
 mod query;
 mod ray;
 
-pub use depth::{DepthBounds, DepthBox, DepthPlane, DepthPoint, compare_depths};
+pub use depth::{DepthBounds, DepthCap, DepthPlane, DepthPoint, compare_depths};
 pub use query::{PlaneFloats, QueryPoint};
 pub use ray::side_of_ray;
+
+#[cfg(test)]
+mod tests;
