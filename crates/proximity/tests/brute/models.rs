@@ -13,6 +13,7 @@ use testkit::{Rng, model};
 
 /// Placements of each pair.
 const COUNT: usize = 100;
+const MANY: usize = 100;
 
 fn compare(names: [&str; 2]) {
     let [p, q] = names.map(|name| model(&format!("convex/{name}")));
@@ -35,9 +36,21 @@ fn compare(names: [&str; 2]) {
         };
         let expected = Expected::new(&brute, &made.s, direction, distance);
         places[expected.place as usize] += 1;
-        for (subject, hint) in [Subject::Sum(&sum), Subject::Pair(&pair, None)].iter().zip(&mut hints) {
+        let subjects = [Subject::Sum(&sum), Subject::Pair(&pair, None)];
+        for (subject, hint) in subjects.iter().zip(&mut hints) {
             *hint = Some(subject.check(&s, direction, &expected, *hint, &case));
             subject.check_direction(&brute, &made.s, &s, &case);
+        }
+        // To compare all edges takes long.
+        if brute.p.edges.len() < MANY || number < 3 {
+            subjects[0].check_closest([&p, &q], &s, &expected, &case);
+        }
+        if expected.place != Place::Overlapping {
+            let [a, b] = subjects.each_ref().map(|subject| {
+                let separation = subject.separation(&s, None);
+                (separation.closest_points(), separation.features())
+            });
+            assert_eq!(a, b, "closest points with the sum and without: {case}");
         }
     }
     assert!(places[Place::Touching as usize] >= COUNT / 3, "{names:?}: {places:?}");
