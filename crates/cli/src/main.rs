@@ -16,6 +16,7 @@ mod help;
 mod input;
 mod located;
 mod output;
+mod placed;
 mod points;
 mod report;
 mod verbs;
@@ -49,6 +50,7 @@ fn run() -> Result<(), Failure> {
                 Verb::Hull => verbs::hull(&run),
                 Verb::Info => verbs::info(&run),
                 Verb::Convert => verbs::convert(&run),
+                Verb::Distance => verbs::distance(&run),
                 Verb::Arrange => verbs::arrange(&run),
                 Verb::Locate => verbs::locate(&run),
             }

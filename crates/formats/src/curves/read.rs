@@ -121,14 +121,15 @@ pub fn read_sphere_points(bytes: &[u8], file_name: Option<&str>) -> Result<Spher
     read_packed(bytes, file_name, read_unpacked_sphere_points).map_err(of_no_format)
 }
 
-fn of_no_format(Located { place, fault }: Located) -> ReadError {
+pub(crate) fn of_no_format(Located { place, fault }: Located) -> ReadError {
     ReadError { format: None, part: None, place, fault }
 }
 
 /// Reads a text that is not packed.
-type Unpacked<F> = fn(&[u8], Option<&str>, &mut Budget) -> Result<F, Located>;
+pub(crate) type Unpacked<F> = fn(&[u8], Option<&str>, &mut Budget) -> Result<F, Located>;
 
-fn read_packed<F>(bytes: &[u8], file_name: Option<&str>, read: Unpacked<F>) -> Result<F, Located> {
+/// Reads a text, which may be packed with gzip.
+pub(crate) fn read_packed<F>(bytes: &[u8], file_name: Option<&str>, read: Unpacked<F>) -> Result<F, Located> {
     let mut budget = Budget::of_file(bytes.len());
     if !is_gzip(bytes) {
         return read(bytes, file_name, &mut budget);
@@ -144,7 +145,7 @@ fn is_gzip(bytes: &[u8]) -> bool {
     Format::of_content(bytes, bytes.len()) == Content::Gzip
 }
 
-fn unsupported(what: &str, instead: &str) -> Fault {
+pub(crate) fn unsupported(what: &str, instead: &str) -> Fault {
     Fault::Unsupported { what: what.into(), instead: instead.into() }
 }
 
