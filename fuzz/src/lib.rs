@@ -16,6 +16,7 @@ use splitstar_arrangement::models::GeodesicTraits;
 use splitstar_formats::{CurveFile, CurvePoint, Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
 use splitstar_formats::{SphereCurve, read_sphere_curves, read_sphere_points, write_sphere_curves};
 use splitstar_formats::{StarArrangement, read_arrangement, read_points, write_arrangement};
+use splitstar_formats::{read_gaussian_map, write_gaussian_map};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::LazyLock;
@@ -211,6 +212,22 @@ fn is_long_on_sphere(curve: &SphereCurve) -> bool {
         SphereCurve::Circle(circle) => is_long(&circle.pole()),
         _ => false,
     }
+}
+
+/// Reads bytes as a Gaussian map. A message must be one short line; a map must come back with the text that it is given, and be a model.
+pub fn check_gaussian_map(bytes: &[u8]) {
+    let map = match read_gaussian_map(bytes, None) {
+        Ok(map) => map,
+        Err(error) => {
+            let message = error.to_string();
+            assert!(message.len() < 600 && !message.contains(char::is_control), "{message:?}");
+            return;
+        }
+    };
+    let text = write_gaussian_map(&map);
+    let again = read_gaussian_map(&text, None).expect("what was read can be read again");
+    assert_eq!(String::from_utf8_lossy(&write_gaussian_map(&again)), String::from_utf8_lossy(&text));
+    assert!(read(&text, None).is_ok());
 }
 
 /// Reads bytes as an arrangement. A message must be one short line; an arrangement must come back with the text that it is given.

@@ -5,7 +5,7 @@ mod names;
 mod verb;
 
 use check::check;
-pub(crate) use names::{CellEncoding, CellFormat, Ray, Strategy, Surface, View};
+pub(crate) use names::{CellEncoding, CellFormat, Method, Ray, Strategy, Surface, View};
 pub(crate) use verb::Verb;
 
 use crate::failure::Failure;
@@ -57,6 +57,8 @@ pub(crate) struct Run {
     pub(crate) strategy: Option<Strategy>,
     /// What is asked: what a ray meets, and not where a point lies.
     pub(crate) ray: Option<Ray>,
+    /// The map on the sides of a cube, and not the one on the sphere.
+    pub(crate) cubical: bool,
     pub(crate) placing: Placing,
 }
 
@@ -77,13 +79,6 @@ pub(crate) struct Placing {
 pub(crate) enum Place {
     Standard,
     File(PathBuf),
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub(crate) enum Method {
-    #[default]
-    Overlay,
-    Hull,
 }
 
 /// The parts of a motion, in the order in which they are applied.
@@ -155,6 +150,7 @@ fn parse_run(verb: Verb, parser: &mut lexopt::Parser) -> Result<Command, Failure
         cells: None,
         strategy: None,
         ray: None,
+        cubical: false,
         placing: Placing::default(),
     };
     let mut given: Vec<&'static str> = Vec::new();
@@ -198,7 +194,7 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
             }
             run.output = Some(place(&word));
         }
-        "format" if verb == Verb::Arrange => {
+        "format" if matches!(verb, Verb::Arrange | Verb::Gauss) => {
             let word = value()?;
             run.cells = Some(word.to_str().and_then(CellEncoding::from_name).ok_or_else(|| {
                 usage(
@@ -222,14 +218,10 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
         }
         "method" => {
             let word = value()?;
-            run.method = match word.to_str() {
-                Some("overlay") => Method::Overlay,
-                Some("hull") => Method::Hull,
-                _ => {
-                    let word = word.to_string_lossy();
-                    return Err(usage(verb, format!("unknown method `{word}`: overlay or hull")));
-                }
-            };
+            run.method = word.to_str().and_then(Method::from_name).ok_or_else(|| {
+                let names = Method::ALL.map(Method::name).join(", ");
+                usage(verb, format!("unknown method `{}`: {names}", word.to_string_lossy()))
+            })?;
         }
         "scale" => {
             let [scale] = numbers(verb, "--scale", "S", &value()?)?;
@@ -311,6 +303,7 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
         "reflect" => run.motion.reflect = true,
         "triangulate" => run.triangulate = true,
         "hull" => run.hull = true,
+        "cubical" => run.cubical = true,
         "float" => run.float = true,
         "lossy" => run.lossy = true,
         "join" => run.join = true,
@@ -330,7 +323,7 @@ impl Run {
 
     /// What to write an arrangement as.
     pub(crate) fn cell_encoding(&self) -> CellEncoding {
-        let by_name = || cells_of_name(self.output.as_ref()?).ok();
+        let by_name = || cells_of_name(self.output.as_ref()?, "").ok();
         self.cells.or_else(by_name).unwrap_or(CellEncoding::DEFAULT)
     }
 }

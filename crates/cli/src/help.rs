@@ -14,6 +14,7 @@ pub(crate) fn text(verb: Option<Verb>) -> &'static str {
         Some(Verb::Distance) => DISTANCE,
         Some(Verb::Arrange) => ARRANGE,
         Some(Verb::Locate) => LOCATE,
+        Some(Verb::Gauss) => GAUSS,
     }
 }
 
@@ -30,6 +31,7 @@ verbs:
   distance whether two convex polytopes overlap, how far apart they are, how deep they overlap
   arrange  the arrangement of curves in the plane, on a torus or on the sphere: counts, cells, a picture
   locate   in which cells of an arrangement points lie, or what is above or below them
+  gauss    the Gaussian map of a convex polytope, on the sphere or on a cube: counts, cells, a picture
 
   splitstar VERB --help tells all about a verb, with an example.
 
@@ -62,9 +64,12 @@ usage: splitstar sum A B [C ...] -o OUT [OPTIONS]
   A B C ...         files of convex polytopes of dimension 0 to 3; `-` is standard input
   -o, --output OUT  where to write the sum; `-` is standard output
   --format FORMAT   what to write; without it the ending of OUT decides (off where it has none)
-  --method METHOD   overlay: walk over both Gaussian maps (default)
-                    hull: convex hull of all sums of vertices, slower, the check of the other;
-                    takes fewer than 2^28 sums
+  --method METHOD   all give the same polytope; the slower ones check the others:
+                    overlay  walk over both Gaussian maps (default, the fastest)
+                    sgm      overlay of the Gaussian maps as arrangements on the sphere
+                    cgm      the same on the six sides of a cube
+                    lp       from vertex to vertex of the sum by linear programs
+                    hull     convex hull of all sums of vertices; fewer than 2^28 of them
   --hull            take the convex hull of a file that is not convex, and tell how far a vertex
                     of the mesh lies inside it at most
   --triangulate     cut facets into triangles first; the way out for facets that are not planar
@@ -253,4 +258,36 @@ file of the arrangement.
 example:
   splitstar locate curves.star points.txt
   echo 1/2 0.25 | splitstar locate curves.star - --ray up
+";
+
+const GAUSS: &str = "\
+splitstar gauss: the Gaussian map of a convex polytope, exact
+
+usage: splitstar gauss A [-o OUT.star|OUT.svg] [OPTIONS]
+
+  A                 a file of a convex polytope of dimension 0 to 3, or of a Gaussian map; `-` is
+                    standard input
+  -o, --output OUT  where to write the map; `-` is standard output. Without it only the numbers of
+                    its cells are printed
+  --format FORMAT   star: all cells with the vertices of the polytope, exact; svg: a picture; each
+                    also with .gz behind it (svg.gz); without it the ending of OUT decides (star
+                    where it has none)
+  --cubical         the map projected to the six sides of a cube, and not that on the sphere
+  --identification X,Y  the half circle from pole to pole through (X, Y, 0), where the sphere is cut
+                    open (-1,0): what is artificial depends on it, nothing else
+  --view VIEW       what a picture of the sphere shows: globe (two hemispheres, default) or unfolded
+                    (longitude and latitude); a cube is shown as the cross of its sides
+  --hull            take the convex hull of a file that is not convex
+  --triangulate     cut facets into triangles first; the way out for facets that are not planar
+  --json            one JSON object on standard output: numbers of cells, times
+  -q, --quiet       no notes, no summary, no progress bar
+
+A facet of the polytope is a vertex of the map (its outer normal), an edge is an edge, a vertex is a
+face. The numbers with splits count what is artificial, too: where the sphere is cut open, and the
+edges of the cube. `sum`, `info`, `hull` and `convert` read the file of a map as its polytope.
+
+example:
+  splitstar gauss cube.off -o cube.svg
+  splitstar gauss cube.off --cubical -o cube.star
+  splitstar sum cube.star octahedron.off -o sum.off
 ";

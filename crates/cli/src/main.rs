@@ -15,6 +15,7 @@ mod failure;
 mod help;
 mod input;
 mod located;
+mod map;
 mod output;
 mod placed;
 mod points;
@@ -53,6 +54,7 @@ fn run() -> Result<(), Failure> {
                 Verb::Distance => verbs::distance(&run),
                 Verb::Arrange => verbs::arrange(&run),
                 Verb::Locate => verbs::locate(&run),
+                Verb::Gauss => verbs::gauss(&run),
             }
         }
     }

@@ -3,6 +3,7 @@
 mod arrange;
 mod convert;
 mod distance;
+mod gauss;
 mod hull;
 mod info;
 mod locate;
@@ -11,6 +12,7 @@ mod sum;
 pub(crate) use arrange::arrange;
 pub(crate) use convert::convert;
 pub(crate) use distance::distance;
+pub(crate) use gauss::gauss;
 pub(crate) use hull::hull;
 pub(crate) use info::info;
 pub(crate) use locate::locate;

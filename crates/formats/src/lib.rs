@@ -11,6 +11,7 @@
 //! | cells | `complex` | what only the native format can say |
 //! | formats | `off`, `obj`, `stl`, `ply`, `threemf`, `gltf`, `vrml`, `star`, `gzip` | one folder each |
 //! | arrangements | `star` | the native format, kind `arrangement`: [`read_arrangement`], [`read_numbered_arrangement`], [`write_arrangement`] |
+//! | Gaussian maps | `star` | the native format, kind `gaussian`: [`read_gaussian_map`], [`write_gaussian_map`]; [`read`] gives the polytope |
 //! | curves | `curves` | curves of the plane or of a torus, for arrangements: own text, WKT, GeoJSON; [`read_curves`], [`write_curves`]; points to ask about: [`read_points`]; on the sphere: [`read_sphere_curves`], [`read_sphere_points`], [`write_sphere_curves`] |
 //! | placements | `placements` | rotations and translations of a model, one placement a line: [`read_placements`] |
 //! | from the ones to the others | `arrange` | [`StarArrangement::of_curves`] |
@@ -68,7 +69,7 @@ pub use placements::{FilePlacement, read_placements};
 pub use read::{check_start, read};
 pub use star::{
     CellNumbers, LinearArrangement, PolycurveArrangement, SphereArrangement, SpherePolycurveArrangement,
-    StarArrangement, StarText, TorusArrangement, TorusPolycurveArrangement, read_arrangement,
-    read_numbered_arrangement, write_arrangement,
+    StarArrangement, StarGaussianMap, StarText, TorusArrangement, TorusPolycurveArrangement,
+    read_arrangement, read_gaussian_map, read_numbered_arrangement, write_arrangement, write_gaussian_map,
 };
 pub use write::{WriteError, WriteNote, WriteOptions, Written, objects_of_triangles, write};

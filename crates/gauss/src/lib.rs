@@ -7,7 +7,7 @@
 //! | module | what |
 //! |---|---|
 //! | `spherical` | [`SphericalGaussianMap`]: geodesic arcs on the sphere |
-//! | `cubical` | [`CubicalGaussianMap`]: segments on the six sides of a cube |
+//! | `cubical` | [`CubicalGaussianMap`]: the same on the six sides of a cube |
 //!
 //! # References
 //! Thesis, sections 3.1 to 3.3.

@@ -9,7 +9,9 @@
 //! | [`exact`] | integers, rationals, vectors, points, planes, rotations, predicates |
 //! | [`dcel`] | halfedge connectivity: what is next to what |
 //! | [`arrangement`] | arrangements of curves in the plane, on a torus and on the sphere: traits, sweep, overlay, editing, zones, history |
+//! | [`cubical`] | arrangements of geodesic arcs on the sides of a cube |
 //! | [`polytope`] | polytopes and meshes, convex hulls, Minkowski sums |
+//! | [`gauss`] | Gaussian maps as arrangements, on the sphere and on the sides of a cube |
 //! | [`proximity`] | whether two polytopes overlap, how far apart they are, how deep they overlap |
 //! | [`formats`] | files of models (OFF, OBJ, STL, PLY, 3MF, VRML, glTF, star), of curves (text, WKT, GeoJSON) and of arrangements (star), read and written; placements, read |
 //! | [`render`] | pictures, as SVG |
@@ -23,7 +25,7 @@
 //! splitstar = { path = "splitstar/crates/splitstar" }
 //! ```
 //!
-//! these are `splitstar::arrangement::`, `splitstar::exact::`, `splitstar::dcel::`, `splitstar::polytope::`, `splitstar::proximity::`, `splitstar::formats::`, `splitstar::render::` and `splitstar::graph::`.
+//! these are `splitstar::arrangement::`, `splitstar::exact::`, `splitstar::dcel::`, `splitstar::polytope::`, `splitstar::cubical::`, `splitstar::gauss::`, `splitstar::proximity::`, `splitstar::formats::`, `splitstar::render::` and `splitstar::graph::`.
 //!
 //! # A convex hull
 //!
@@ -136,10 +138,11 @@
 //! called `approx_*` and by writing floats on request. Degenerate input is no error. Malformed input is an error
 //! that names the place, and no input panics, unless the documentation of the function says so.
 
-// The examples of the README are tests of this crate.
+// The examples of the README and of the page on Gaussian maps are tests of this crate.
 #![cfg_attr(doctest, doc = include_str!("../../../README.md"))]
+#![cfg_attr(doctest, doc = include_str!("../../../docs/gauss.md"))]
 
-pub use {arrangement, dcel, exact, formats, graph, polytope, proximity, render};
+pub use {arrangement, cubical, dcel, exact, formats, gauss, graph, polytope, proximity, render};
 
 /// The names that most programs need: `use splitstar::prelude::*`.
 ///

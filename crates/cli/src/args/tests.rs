@@ -49,11 +49,11 @@ fn wrong_lines_say_why() {
     let rows = [
         (
             "",
-            "a verb is missing: sum, hull, info, convert, distance, arrange or locate; see `splitstar --help`",
+            "a verb is missing: sum, hull, info, convert, distance, arrange, locate or gauss; see `splitstar --help`",
         ),
         (
             "add a b",
-            "unknown verb `add`; the verbs are sum, hull, info, convert, distance, arrange and locate, see `splitstar --help`",
+            "unknown verb `add`; the verbs are sum, hull, info, convert, distance, arrange, locate and gauss, see `splitstar --help`",
         ),
         ("--json sum", "`--json` before the verb; see `splitstar --help`"),
         ("sum a -o c", "sum: two or more files to add expected, 1 given; see `splitstar sum --help`"),
@@ -76,7 +76,31 @@ fn wrong_lines_say_why() {
         ),
         (
             "sum a b -o c --method fast",
-            "sum: unknown method `fast`: overlay or hull; see `splitstar sum --help`",
+            "sum: unknown method `fast`: overlay, sgm, cgm, lp, hull; see `splitstar sum --help`",
+        ),
+        (
+            "gauss a -o b.off",
+            "gauss: a Gaussian map is not written as `.off`; use .star or .svg, each also with .gz, or --format: \
+             star or svg; see `splitstar gauss --help`",
+        ),
+        (
+            "gauss a --cubical --identification 1,0",
+            "gauss: `--cubical` and `--identification` exclude each other: a cube is not cut open; \
+             see `splitstar gauss --help`",
+        ),
+        (
+            "gauss a -o b.svg --view globe --cubical",
+            "gauss: `--cubical` and `--view` exclude each other: the sides of a cube are unfolded; \
+             see `splitstar gauss --help`",
+        ),
+        (
+            "gauss a -o b.star --view globe",
+            "gauss: `--view` says how a picture looks, and none is written: -o OUT.svg; \
+             see `splitstar gauss --help`",
+        ),
+        (
+            "gauss a --format svg",
+            "gauss: `--format` says what to write, and where is missing: -o OUT; see `splitstar gauss --help`",
         ),
         (
             "convert a -o b --scale 0",

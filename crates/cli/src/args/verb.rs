@@ -11,11 +11,20 @@ pub(crate) enum Verb {
     Distance,
     Arrange,
     Locate,
+    Gauss,
 }
 
 impl Verb {
-    pub(crate) const ALL: [Self; 7] =
-        [Self::Sum, Self::Hull, Self::Info, Self::Convert, Self::Distance, Self::Arrange, Self::Locate];
+    pub(crate) const ALL: [Self; 8] = [
+        Self::Sum,
+        Self::Hull,
+        Self::Info,
+        Self::Convert,
+        Self::Distance,
+        Self::Arrange,
+        Self::Locate,
+        Self::Gauss,
+    ];
 
     pub(crate) fn name(self) -> &'static str {
         match self {
@@ -26,6 +35,7 @@ impl Verb {
             Self::Distance => "distance",
             Self::Arrange => "arrange",
             Self::Locate => "locate",
+            Self::Gauss => "gauss",
         }
     }
 
@@ -67,6 +77,17 @@ impl Verb {
                 &["output", "format", "surface", "period", "identification", "view", "json", "quiet"]
             }
             Self::Locate => &["output", "strategy", "ray", "json", "quiet"],
+            Self::Gauss => &[
+                "output",
+                "format",
+                "cubical",
+                "identification",
+                "view",
+                "hull",
+                "triangulate",
+                "json",
+                "quiet",
+            ],
         }
     }
 

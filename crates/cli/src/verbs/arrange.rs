@@ -80,7 +80,7 @@ fn read_all<C>(
 }
 
 /// The sphere, cut open where it is said.
-fn sphere(run: &Run) -> GeodesicTraits {
+pub(super) fn sphere(run: &Run) -> GeodesicTraits {
     let Some([x, y]) = &run.identification else { return GeodesicTraits::new() };
     let direction = [x.numerator() * y.denominator(), y.numerator() * x.denominator()];
     GeodesicTraits::with_identification(direction).expect("zeros are refused on the command line")
@@ -154,7 +154,7 @@ fn scene(arrangement: &StarArrangement, view: Option<View>) -> Result<Scene, Ren
     }
 }
 
-fn sphere_scene<G: ApproxTraits + UMonotoneTraits, T: Topology<G>>(
+pub(super) fn sphere_scene<G: ApproxTraits + UMonotoneTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     sphere: &GeodesicTraits,
     view: Option<View>,

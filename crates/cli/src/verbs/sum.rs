@@ -8,8 +8,9 @@ use crate::console::Console;
 use crate::explain::{mesh_error, triangles_error};
 use crate::failure::Failure;
 use crate::input::Operand;
+use splitstar::gauss::{CubicalGaussianMap, SphericalGaussianMap};
 use splitstar::polytope::{
-    MeshError, Polytope, convex_hull, hull_depth, minkowski_sum, minkowski_sum_by_hull,
+    MeshError, Polytope, convex_hull, hull_depth, minkowski_sum, minkowski_sum_by_hull, minkowski_sum_by_lp,
 };
 
 pub(crate) fn sum(run: &Run) -> Result<(), Failure> {
@@ -24,11 +25,22 @@ pub(crate) fn sum(run: &Run) -> Result<(), Failure> {
     if run.method == Method::Hull {
         check_hull_size(&summands, &job.operands)?;
     }
-    let (polytope, method) = match run.method {
-        Method::Overlay => (minkowski_sum(&summands), "overlay"),
-        Method::Hull => (minkowski_sum_by_hull(&summands), "hull"),
+    let polytope = match run.method {
+        Method::Overlay => minkowski_sum(&summands),
+        Method::Sgm => {
+            let maps: Vec<_> =
+                summands.iter().map(|summand| SphericalGaussianMap::of_polytope(summand)).collect();
+            SphericalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()).make_polytope()
+        }
+        Method::Cgm => {
+            let maps: Vec<_> =
+                summands.iter().map(|summand| CubicalGaussianMap::of_polytope(summand)).collect();
+            CubicalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()).make_polytope()
+        }
+        Method::Lp => minkowski_sum_by_lp(&summands),
+        Method::Hull => minkowski_sum_by_hull(&summands),
     };
-    job.finish(&Outcome::of_polytope(polytope, unit, method))
+    job.finish(&Outcome::of_polytope(polytope, unit, run.method.name()))
 }
 
 /// The convex hull takes fewer points than this.

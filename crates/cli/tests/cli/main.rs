@@ -10,6 +10,7 @@ mod defects;
 mod distance;
 mod encode;
 mod formats;
+mod gauss;
 mod invalid;
 mod locate;
 #[cfg(target_os = "linux")]

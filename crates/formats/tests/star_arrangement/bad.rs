@@ -46,7 +46,7 @@ const CHANGES: &[(&str, &str, &str)] = &[
     (
         "arrangement\n",
         "map\n",
-        "line 1: star kind `map` cannot be read; this program knows the kinds `complex` and `arrangement` only: update it, or correct the kind",
+        "line 1: star kind `map` cannot be read; this program knows the kinds `complex`, `arrangement` and `gaussian` only: update it, or correct the kind",
     ),
     (
         "star 1",

@@ -25,6 +25,7 @@ mod outline;
 mod sphere;
 mod torus;
 
+pub(crate) use look::Look;
 pub use sphere::GlobeOptions;
 
 use ::arrangement::Arrangement;
@@ -38,7 +39,6 @@ use crate::scene::{Item, Layer, Scene, Shape};
 use crate::style::{Dash, Stroke, Style};
 use cells::Cells;
 use components::Components;
-use look::Look;
 use outline::Outlines;
 
 impl Scene {

@@ -1,0 +1,191 @@
+//! The door. A map is read by making it again: the points of the faces have a hull, the hull has a map, and the map has one text, which
+//! must be that of the file. So nothing that a file says is believed, and there is one thing only to get wrong.
+
+use super::StarGaussianMap;
+use super::write::write_gaussian_map;
+use crate::base::budget::Budget;
+use crate::base::error::{At, Fault, Located, ReadError};
+use crate::base::maker::{reserve_corners, reserve_vertex, wide_bytes};
+use crate::base::model::{Model, ReadModel};
+use crate::base::number::point;
+use crate::base::places::{Place, PlaceList, Places};
+use crate::base::scan::Token;
+use crate::base::words::read_coordinate;
+use crate::format::Format;
+use crate::star::arrangement::read_sphere;
+use crate::star::door::read_star;
+use crate::star::first::{StarKind, read_first_line};
+use crate::star::line::{Line, Lines};
+use arrangement::models::GeodesicTraits;
+use exact::Point3;
+use gauss::{CubicalGaussianMap, SphericalGaussianMap};
+// tidy: convex_hull, because a map is that of the hull of the points of its faces
+use polytope::convex_hull as hull_of;
+
+/// Reads a Gaussian map from a file of the native format, kind `gaussian`: see `docs/star.md`. Gzip may be around it.
+///
+/// Nothing is believed: the map of the hull of the points of all faces is made, and the file must be its text, as [`write_gaussian_map`]
+/// writes it, but for blanks and comments.
+///
+/// # Errors
+/// The first line that is not that of the map, with what it should be; before, the first line of a point that cannot be read. A file that
+/// would take more than 64 times its length, as it is stored, and 64 MiB, is refused.
+///
+/// # Complexity
+/// O(n log n) for n bytes, unpacked, as long as coordinates have few digits.
+///
+/// ```
+/// use splitstar_formats::read_gaussian_map;
+///
+/// let point = b"star 1 gaussian\nsurface sphere -1 0\nface 0\nprimal 1 2/3 0\nend\n";
+/// assert_eq!(read_gaussian_map(point, None)?.make_polytope().dimension(), 0);
+///
+/// let two = b"star 1 gaussian\nsurface sphere -1 0\nface 0\nprimal 1 2/3 0\nface 1\nprimal 0 0 0\nend\n";
+/// assert!(read_gaussian_map(two, None).is_err());
+/// # Ok::<(), splitstar_formats::ReadError>(())
+/// ```
+pub fn read_gaussian_map(bytes: &[u8], file_name: Option<&str>) -> Result<StarGaussianMap, ReadError> {
+    read_star(bytes, file_name, StarKind::Gaussian, read_text)
+}
+
+/// Reads the polytope for which a map stands.
+pub(in crate::star) fn read_polytope(bytes: &[u8], budget: &mut Budget) -> Result<ReadModel, Located> {
+    let mesh = read_text(bytes, budget)?.make_polytope().to_mesh();
+    for point in &mesh.points {
+        reserve_vertex(budget, wide_bytes(point))?;
+    }
+    reserve_corners(budget, mesh.facets.corners().len() as u64)?;
+    Ok(ReadModel {
+        model: Model::of_mesh(mesh),
+        format: Format::Star,
+        // A polytope gives nobody a reason to ask for a place.
+        places: Places { part: None, vertices: PlaceList::lines(), facets: PlaceList::lines() },
+        notes: Vec::new(),
+    })
+}
+
+/// For each face, the cells of the map around it, and their text, while coordinates are short.
+const OF_FACE: u64 = 8 << 10;
+/// For each byte of the line of a point: the coordinates of cells have several times the digits of the points.
+const OF_BYTE: u64 = 256;
+
+const SECOND: &str = "the second line `surface sphere DX DY` or `surface cube`";
+const SURFACE: &str = "`sphere` or `cube`";
+
+fn read_text(bytes: &[u8], budget: &mut Budget) -> Result<StarGaussianMap, Located> {
+    let mut lines = Lines::new(bytes);
+    read_first_line(&mut lines, &[StarKind::Gaussian])?;
+    let Some((word, mut line)) = lines.next_record() else {
+        return Err(Fault::Truncated { expected: "`surface` was expected".into() }.at(lines.last()));
+    };
+    if word.bytes != b"surface" {
+        return Err(word.unexpected(SECOND));
+    }
+    let name = line.expect(SURFACE)?;
+    let sphere = match name.bytes {
+        b"sphere" => Some(read_sphere(&mut line, budget)?),
+        b"cube" => None,
+        _ => return Err(name.unexpected(SURFACE)),
+    };
+    line.end()?;
+    let (points, end) = read_points(&mut lines, budget)?;
+    let map = map_of(&points, sphere).ok_or_else(|| {
+        malformed(end, "the file has no `primal`: write the vertex of the polytope behind each face".into())
+    })?;
+    drop(points);
+    compare(bytes, &write_gaussian_map(&map))?;
+    Ok(map)
+}
+
+/// The map of the hull of points; `None` if there is no point.
+fn map_of(points: &[Point3], sphere: Option<GeodesicTraits>) -> Option<StarGaussianMap> {
+    let hull = hull_of(points)?;
+    Some(match sphere {
+        Some(traits) => SphericalGaussianMap::of_polytope_with(&hull, traits).into(),
+        None => CubicalGaussianMap::of_polytope(&hull).into(),
+    })
+}
+
+/// Reads the points of all faces, up to the end of the file, and gives the line of `end`.
+fn read_points(lines: &mut Lines<'_>, budget: &mut Budget) -> Result<(Vec<Point3>, u32), Located> {
+    const RECORD: &str = "a record or `end` was expected";
+    const COORDINATE: &str = "one of three coordinates";
+    let mut points = Vec::new();
+    let end = loop {
+        let Some((word, mut line)) = lines.next_record() else {
+            return Err(Fault::Truncated { expected: RECORD.into() }.at(lines.last()));
+        };
+        match word.bytes {
+            b"end" => {
+                line.end()?;
+                break word.line;
+            }
+            b"primal" => {
+                let words = [(); 3].map(|()| line.expect(COORDINATE));
+                let [x, y, z] = words;
+                let words = [x?, y?, z?];
+                line.end()?;
+                let bytes: usize = words.iter().map(|word| word.bytes.len()).sum();
+                budget.charge(OF_FACE + OF_BYTE * bytes as u64).at_line(word.line)?;
+                let [x, y, z] = words.map(read_coordinate);
+                points.push(point([x?, y?, z?]));
+            }
+            _ => {}
+        }
+    };
+    match lines.next_record() {
+        Some((word, _)) => Err(word.fault(|token| Fault::AfterEnd { token, end: "the map".into() })),
+        None => Ok((points, end)),
+    }
+}
+
+/// Finds the first line of a file that is not that of the text which it should be.
+fn compare(file: &[u8], text: &[u8]) -> Result<(), Located> {
+    let (mut found, mut wanted) = (Lines::new(file), Lines::new(text));
+    loop {
+        match (found.next_record(), wanted.next_record()) {
+            (None, None) => return Ok(()),
+            (Some(found), Some(wanted)) => compare_lines(found, wanted)?,
+            // Both end with `end`, which stands once in each.
+            _ => unreachable!("one of two texts with one `end` is not longer"),
+        }
+    }
+}
+
+fn compare_lines(
+    (first, mut found): (Token<'_>, Line<'_>),
+    (keyword, mut wanted): (Token<'_>, Line<'_>),
+) -> Result<(), Located> {
+    let (mut word, mut should) = (Some(first), Some(keyword));
+    let mut before = Vec::new();
+    loop {
+        match (word, should) {
+            (None, None) => return Ok(()),
+            (Some(is), Some(must)) if is.bytes == must.bytes => before.push(must),
+            (_, must) => {
+                before.extend(must);
+                while let Some(word) = wanted.word() {
+                    before.push(word);
+                }
+                return Err(malformed(first.line, sentence(&before)));
+            }
+        }
+        (word, should) = (found.word(), wanted.word());
+    }
+}
+
+/// What is said of a line that is not this one.
+fn sentence(line: &[Token<'_>]) -> String {
+    /// So many words of a line are shown.
+    const MANY: usize = 8;
+    let shown: Vec<String> = line.iter().take(MANY).map(Token::shown).collect();
+    let rest = if line.len() > MANY { " ..." } else { "" };
+    format!(
+        "the map of the hull of all `primal` points has `{}{rest}` here; write it so, or correct the points, or make the map again",
+        shown.join(" ")
+    )
+}
+
+fn malformed(line: u32, why: String) -> Located {
+    Fault::Malformed { why }.at(Place::Line(line))
+}

@@ -1,0 +1,81 @@
+//! Reading a Gaussian map takes no more than 64 times the file and 64 MiB. In a process of its own: the peak is that of the process.
+
+// What was measured is worth seeing: `cargo test --test star_gaussian_memory -- --nocapture`.
+#![allow(clippy::print_stdout, clippy::unwrap_used)]
+#![cfg(target_os = "linux")]
+
+use gauss::{CubicalGaussianMap, SphericalGaussianMap};
+use polytope::Polytope;
+use splitstar_formats::{StarGaussianMap, read_gaussian_map, write_gaussian_map};
+use std::fmt::Write;
+use std::fs;
+use std::time::Instant;
+use testkit::geodesic_sphere;
+
+const MIB: u64 = 1 << 20;
+
+/// The greatest resident size since the last call of [`forget_peak`].
+fn peak() -> u64 {
+    let status = fs::read_to_string("/proc/self/status").unwrap();
+    let line = status.lines().find(|line| line.starts_with("VmHWM")).unwrap();
+    let kib: u64 = line.split_whitespace().nth(1).unwrap().parse().unwrap();
+    kib << 10
+}
+
+fn forget_peak() {
+    fs::write("/proc/self/clear_refs", "5").unwrap();
+}
+
+/// Nothing but the points of a polytope, in as few bytes as can be: on a paraboloid, so that all of them are vertices.
+fn points(surface: &str, side: i64) -> String {
+    let mut text = format!("star 1 gaussian\nsurface {surface}\n");
+    for x in 0..side {
+        for y in 0..side {
+            writeln!(text, "primal {x} {y} {}", x * x + y * y).unwrap();
+        }
+    }
+    text + "end\n"
+}
+
+/// Few points with very many digits.
+fn wide(surface: &str, count: u64) -> String {
+    let mut text = format!("star 1 gaussian\nsurface {surface}\n");
+    for i in 0..count {
+        let digits = "7".repeat(900);
+        writeln!(text, "primal {i}{digits} {}{digits} {}{digits}", i * i % 97, i * 31 % 89).unwrap();
+    }
+    text + "end\n"
+}
+
+#[test]
+fn reading_is_within_the_bound() {
+    let sphere = Polytope::from_mesh(&geodesic_sphere(24, 9), &mut Vec::new()).unwrap();
+    let text = |map: StarGaussianMap| String::from_utf8(write_gaussian_map(&map)).unwrap();
+    let texts = [
+        ("whole map on the sphere", text(SphericalGaussianMap::of_polytope(&sphere).into())),
+        ("whole map on a cube", text(CubicalGaussianMap::of_polytope(&sphere).into())),
+        ("points, sphere", points("sphere -1 0", 90)),
+        ("points, cube", points("cube", 90)),
+        ("many points", points("cube", 700)),
+        ("wide points, sphere", wide("sphere -1 0", 60)),
+        ("wide points, cube", wide("cube", 60)),
+    ];
+    for (name, text) in texts {
+        let bound = 64 * text.len() as u64 + 64 * MIB;
+        forget_peak();
+        let before = peak();
+        let start = Instant::now();
+        let result = read_gaussian_map(text.as_bytes(), None);
+        let taken = peak() - before + text.len() as u64;
+        let refused = result.as_ref().err().map_or(String::new(), |error| error.to_string());
+        let time = start.elapsed();
+        println!(
+            "{name}: {} MiB of {} for {} bytes, {time:?} {refused}",
+            taken / MIB,
+            bound / MIB,
+            text.len()
+        );
+        assert!(taken <= bound, "{name}: {} MiB of {}", taken / MIB, bound / MIB);
+        assert_eq!(result.is_ok(), name.starts_with("whole"), "{name}: {refused}");
+    }
+}
