@@ -96,10 +96,15 @@ fn climb(body: &Polytope, from: u32, direction: &Vector3) -> u32 {
         return from;
     }
     let mut v = VertexId(from);
-    let rises =
-        |h: &dcel::HalfedgeId| predicate::same_direction(direction, &body.edge_vector(*h)) == Sign::Positive;
-    while let Some(h) = mesh.vertex_cycle(v).find(rises) {
-        v = mesh.target(h);
+    let points = body.points();
+    let higher = |v: VertexId| {
+        let here = &points[v.index()];
+        let rises =
+            |w: &VertexId| predicate::plane_side(direction, here, &points[w.index()]) == Sign::Positive;
+        mesh.vertex_cycle(v).map(|h| mesh.target(h)).find(rises)
+    };
+    while let Some(w) = higher(v) {
+        v = w;
     }
     v.0
 }

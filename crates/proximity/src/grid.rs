@@ -25,7 +25,7 @@ impl Grid {
             for i in 0..resolution {
                 for j in 0..resolution {
                     // Back and forth, so that the last cell is a neighbour.
-                    let j = if i % 2 == 0 { j } else { resolution - 1 - j };
+                    let j = if i.is_multiple_of(2) { j } else { resolution - 1 - j };
                     last = stab(grid.point(side, i, j), last);
                     grid.facets[(side * resolution + i) * resolution + j] = last;
                 }
@@ -39,7 +39,7 @@ impl Grid {
         let middle = |i: usize| (2 * i + 1) as f64 / self.resolution as f64 - 1.0;
         let mut point = self.center;
         let axis = side / 2;
-        point[axis] += if side % 2 == 0 { self.radius } else { -self.radius };
+        point[axis] += if side.is_multiple_of(2) { self.radius } else { -self.radius };
         point[(axis + 1) % 3] += middle(i) * self.radius;
         point[(axis + 2) % 3] += middle(j) * self.radius;
         point

@@ -130,3 +130,166 @@ fn both_routes_agree_on_wide_and_weighted_hulls() {
         check(rng, &p, &q, None, 6, 8);
     }
 }
+
+fn cube() -> Polytope {
+    testkit::hull(&(0..8).map(|i| [i >> 2, i >> 1 & 1, i & 1]).collect::<Vec<_>>())
+}
+
+fn integers(coordinates: [i64; 3]) -> [String; 3] {
+    coordinates.map(|c| c.to_string())
+}
+
+#[test]
+fn cubes_in_contact_of_every_kind() {
+    use crate::Feature::{Edge, Facet, Vertex};
+    let cube = cube();
+    let of = RelativePlacement::new(&cube, &cube);
+    for (s, zeros) in [([1, 1, 1], 0), ([1, 1, 0], 1), ([1, 0, 0], 2), ([-1, 1, 0], 1), ([0, 0, -1], 2)] {
+        let s = Translation::from_i64(s);
+        let separation = of.separation(&s, None);
+        assert_eq!(separation.relation(), Relation::Touching);
+        for feature in separation.features() {
+            let dimension = match feature {
+                Vertex(_) => 0,
+                Edge(_) => 1,
+                Facet(_) => 2,
+            };
+            assert_eq!(dimension, zeros, "{:?}", s.coordinates());
+        }
+        let [a, b] = separation.closest_points();
+        assert_eq!(a, b);
+        assert!(of.minimum_penetration(&s, None).is_none());
+        let along = Vector3::from_i64([1, 0, 0]);
+        let found = of.directional_penetration(&s, &along, None).expect("they do not overlap");
+        assert!(found.depth().is_zero() && found.facet().is_none() && found.features().is_none());
+    }
+    // Facet against facet, apart: the least of all closest points is a corner of the common square.
+    let s = Translation::new(&["3", "1/2", "-1/3"].map(|c| c.parse().expect("a number")));
+    let separation = of.separation(&s, None);
+    assert_eq!(separation.squared_distance(), 4.into());
+    let [a, b] = separation.closest_points().map(|point| point.map(|c| c.to_string()));
+    assert_eq!([a, b], [["1", "1/2", "0"], ["3", "1/2", "0"]].map(|p| p.map(String::from)));
+    assert!(matches!(separation.features(), [Facet(_), Facet(_)]));
+}
+
+#[test]
+fn a_zero_direction_ends_no_overlap() {
+    let cube = cube();
+    let (of, pair) = (RelativePlacement::new(&cube, &cube), Pair::new(&cube, &cube));
+    let zero = Vector3::from_i64([0; 3]);
+    let [inside, outside] = [[0; 3], [9; 3]].map(Translation::from_i64);
+    assert!(of.directional_penetration(&inside, &zero, None).is_none());
+    assert!(pair.directional_penetration(&inside, None, &zero, None).is_none());
+    let apart = of.directional_penetration(&outside, &zero, None).expect("they do not overlap");
+    assert!(apart.depth().is_zero());
+    let up = Vector3::from_i64([0, 0, 3]);
+    let found = of.directional_penetration(&inside, &up, None).expect("the direction is not zero");
+    assert_eq!(found.depth().to_string(), "1/3");
+    assert!(matches!(found.features(), Some([crate::Feature::Facet(_), crate::Feature::Facet(_)])));
+}
+
+#[test]
+fn the_far_side_of_a_thin_plate_is_never_the_answer() {
+    // The distance to the boundary of M has a local minimum behind the plate; a hint from there leads nowhere.
+    let plate =
+        testkit::hull(&(0..8).map(|i| [1000 * (i >> 2), 1000 * (i >> 1 & 1), i & 1]).collect::<Vec<_>>());
+    let of = RelativePlacement::new(&plate, &Polytope::point(exact::Point3::ORIGIN));
+    let below = Translation::from_i64([500, 400, -7]);
+    let above = Translation::from_i64([500, 400, 9]);
+    let hint = of.separation(&below, None).witness();
+    let separation = of.separation(&above, Some(hint));
+    assert_eq!(separation.squared_distance(), 64.into());
+    assert_eq!(separation.closest_points()[0].each_ref().map(|c| c.to_string()), integers([500, 400, 1]));
+}
+
+#[test]
+fn a_witness_of_other_polytopes_does_no_harm() {
+    let sphere = testkit::around(&testkit::geodesic_sphere(3, 6).points);
+    let cube = cube();
+    let (large, small) = (RelativePlacement::new(&sphere, &sphere), RelativePlacement::new(&cube, &cube));
+    let rng = &mut Rng::new(94);
+    for _ in 0..50 {
+        let s = translation(rng, &sphere, &cube, 3);
+        for witness in
+            [large.separation(&s, None).witness(), Pair::new(&sphere, &cube).relation(&s, None, None).1]
+        {
+            let (plain, hinted) = (small.separation(&s, None), small.separation(&s, Some(witness)));
+            assert_eq!(plain.squared_distance(), hinted.squared_distance());
+            assert_eq!(small.relation(&s, Some(witness)).0, plain.relation());
+            let pair = Pair::new(&cube, &cube);
+            assert_eq!(pair.separation(&s, None, Some(witness)).relation(), plain.relation());
+        }
+    }
+}
+
+#[test]
+fn translations_of_all_magnitudes() {
+    let cube = cube();
+    let of = RelativePlacement::new(&cube, &cube);
+    for exponent in [-1070, -600, -301, -40, 0, 40, 301, 600, 1020] {
+        let length = 2f64.powi(exponent);
+        let s = Translation::from_f64([length, 0.0, -length]).expect("the numbers are finite");
+        let separation = of.separation(&s, None);
+        let exact = Rational::try_from(length).expect("a finite number");
+        let gap = exact.clone() - Rational::ONE;
+        let expected = match exponent {
+            ..0 => Relation::Overlapping,
+            0 => Relation::Touching,
+            _ => Relation::Disjoint,
+        };
+        assert_eq!(separation.relation(), expected, "2^{exponent}");
+        if expected == Relation::Disjoint {
+            assert_eq!(separation.squared_distance(), &gap * &gap + &gap * &gap);
+        }
+        if expected == Relation::Overlapping {
+            let found = of.minimum_penetration(&s, None).expect("they overlap");
+            assert_eq!(found.squared_depth(), &gap * &gap);
+        }
+    }
+}
+
+#[test]
+fn a_sphere_around_its_own_center_has_one_least_depth_on_both_routes() {
+    // All facets are nearly as deep: without M, the hull would have to grow to the whole of it.
+    let sphere = testkit::around(&testkit::geodesic_sphere(8, 6).points);
+    let turned = sphere.transformed(&testkit::rotation([7, 1, 2, 3]));
+    let s = Translation::from_f64([1e-9, 2e-9, -3e-9]).expect("the numbers are finite");
+    let of = RelativePlacement::new(&sphere, &turned);
+    let turn = quaternion([7, 1, 2, 3]);
+    let pair = Pair::new(&sphere, &sphere);
+    let [first, second] = [
+        of.minimum_penetration(&s, None).map(|found| found.squared_depth()),
+        pair.minimum_penetration(&s, Some(&turn), None).map(|found| found.squared_depth()),
+    ];
+    assert_eq!(first, second);
+    // The least of all depths, one by one.
+    let depth = |f| {
+        let plane = of.sum().facet_plane(f);
+        let height = plane.height(s.point());
+        let length = Rational::from(plane.normal.dot(&plane.normal));
+        (&height * &height).checked_div(&length).expect("a normal is not zero")
+    };
+    assert_eq!(first, of.sum().mesh().facets().map(depth).min());
+}
+
+#[test]
+fn a_motion_answers_each_placement_in_turn() {
+    let cube = cube();
+    let of = RelativePlacement::new(&cube, &cube);
+    let path: Vec<Translation> = (-3..4).map(|x| Translation::from_i64([x, 0, 0])).collect();
+    let squares: Vec<String> = crate::Motion::of_translations(&of, &path)
+        .map(|found| found.squared_distance().to_string())
+        .collect();
+    assert_eq!(squares, ["4", "1", "0", "0", "0", "1", "4"]);
+    let pair = Pair::new(&cube, &cube);
+    let quarter = quaternion([1, 0, 0, 1]);
+    let placements: Vec<crate::Placement> = path
+        .into_iter()
+        .map(|translation| crate::Placement { rotation: Some(quarter.clone()), translation })
+        .collect();
+    let relations: Vec<Relation> =
+        crate::Motion::of_placements(&pair, &placements).map(|found| found.relation()).collect();
+    use Relation::{Disjoint, Overlapping, Touching};
+    // A quarter turn puts the cube from -1 to 0.
+    assert_eq!(relations, [Disjoint, Disjoint, Disjoint, Touching, Overlapping, Touching, Disjoint]);
+}

@@ -35,9 +35,9 @@ pub(crate) fn closest(sum: &Polytope, cells: &Cells, s: &QueryPoint, start: Cell
     let mut cell = start;
     loop {
         let next = match cell {
-            Cell::Facet(f) => walk.from_facet(f),
-            Cell::Edge(k) => walk.from_edge(k),
-            Cell::Vertex(k) => walk.from_vertex(k),
+            Cell::Facet(f) => walk.beside_facet(f),
+            Cell::Edge(k) => walk.beside_edge(k),
+            Cell::Vertex(k) => walk.beside_vertex(k),
         };
         match next {
             Some(next) => cell = next,
@@ -70,7 +70,7 @@ impl Walk<'_> {
 
     /// The part of the boundary of a facet nearest to the point; `None` if the point projects into the facet.
     #[inline]
-    fn from_facet(&self, f: u32) -> Option<Cell> {
+    fn beside_facet(&self, f: u32) -> Option<Cell> {
         let cells = self.cells;
         let mut is_inside = true;
         for k in cells.halfedges(f) {
@@ -98,7 +98,7 @@ impl Walk<'_> {
 
     /// The facet of the halfedge is visible.
     #[inline]
-    fn from_edge(&self, k: u32) -> Option<Cell> {
+    fn beside_edge(&self, k: u32) -> Option<Cell> {
         let cells = self.cells;
         if self.ahead(k) != Sign::Positive {
             return Some(Cell::Vertex(k));
@@ -118,7 +118,7 @@ impl Walk<'_> {
 
     /// The facet of the halfedge is visible.
     #[inline]
-    fn from_vertex(&self, k: u32) -> Option<Cell> {
+    fn beside_vertex(&self, k: u32) -> Option<Cell> {
         let cells = self.cells;
         let mut h = k;
         loop {
