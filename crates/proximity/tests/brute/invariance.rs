@@ -97,7 +97,7 @@ fn both_may_be_turned() {
                 let direction = turned_vector(&turn, &direction.map(Rational::from));
                 let direction = direction.map(|c| (c * Rational::from(length)).numerator());
                 let mut found = answers(turned, &s, &Vector3::new(direction), None);
-                found.along = found.along * Rational::from(length);
+                found.along *= Rational::from(length);
                 assert_eq!(found, expected, "{name}, quaternion {components:?}: {s:?}");
             }
         });

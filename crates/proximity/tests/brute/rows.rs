@@ -194,7 +194,9 @@ fn the_library_knows_the_rows() {
 fn closest_points_are_the_first_of_many() {
     let cubes = [cube(), cube()];
     let squares = [square(), square()];
-    let rows: [(&str, &[Polytope; 2], [i64; 3], [&str; 3], [&str; 3], &str); 7] = [
+    /// Name, polytopes, translation over two, closest points, features.
+    type Row<'a> = (&'a str, &'a [Polytope; 2], [i64; 3], [&'a str; 3], [&'a str; 3], &'a str);
+    let rows: [Row<'_>; 7] = [
         ("facets apart", &cubes, [1, -1, 7], ["1/2", "0", "2"], ["1/2", "0", "7/2"], "facet facet"),
         ("facets in contact", &cubes, [4, 1, -3], ["2", "1/2", "0"], ["2", "1/2", "0"], "facet facet"),
         ("edges apart", &cubes, [6, 1, 6], ["2", "1/2", "2"], ["3", "1/2", "3"], "edge edge"),

@@ -78,7 +78,7 @@ fn coordinates<N: Number>(point: &Point3) -> Triple<N> {
 
 /// The dimension of what vectors span.
 pub(crate) fn rank<N: Number>(vectors: &[Triple<N>]) -> usize {
-    let Some(first) = vectors.iter().find(|v| !is_zero(*v)) else { return 0 };
+    let Some(first) = vectors.iter().find(|v| !is_zero(v)) else { return 0 };
     let normals = vectors.iter().map(|v| cross(first, v));
     let Some(normal) = normals.into_iter().find(|n| !is_zero(n)) else { return 1 };
     if vectors.iter().any(|v| !dot(&normal, v).is_zero()) { 3 } else { 2 }
