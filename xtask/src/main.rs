@@ -34,6 +34,7 @@ usage: cargo xtask VERB
   tables [counts|times|search]               thesis tables 3.2 to 3.5: counted, printed, why they differ; times beside peers
   peers [--require] [--only PAIR] [--out F]  speed against CGAL, Manifold and SciPy; see peers/README.md
   peers arrangements [the same options]      speed of arrangements against CGAL and GEOS
+  peers proximity [the same options]         speed and depths of moving polytopes against parry3d and coal
   readers [--require]                        files against trimesh, Manifold, assimp and others; see peers/README.md
   bench [growth|arrangements|editing|location|sphere|gauss|widths]
                                              growth of time and memory; widths of coordinates";

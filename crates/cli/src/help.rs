@@ -11,6 +11,7 @@ pub(crate) fn text(verb: Option<Verb>) -> &'static str {
         Some(Verb::Hull) => HULL,
         Some(Verb::Info) => INFO,
         Some(Verb::Convert) => CONVERT,
+        Some(Verb::Distance) => DISTANCE,
         Some(Verb::Arrange) => ARRANGE,
         Some(Verb::Locate) => LOCATE,
         Some(Verb::Gauss) => GAUSS,
@@ -27,6 +28,7 @@ verbs:
   hull     the convex hull of the points of one or more files
   info     what a file is: format, counts, dimension, convexity, volume, bounds
   convert  another format; scale, reflect, rotate, move, triangulate; any mesh
+  distance whether two convex polytopes overlap, how far apart they are, how deep they overlap
   arrange  the arrangement of curves in the plane, on a torus or on the sphere: counts, cells, a picture
   locate   in which cells of an arrangement points lie, or what is above or below them
   gauss    the Gaussian map of a convex polytope, on the sphere or on a cube: counts, cells, a picture
@@ -158,6 +160,35 @@ reflects, they are turned round.
 example:
   splitstar convert cube.stl -o cube.3mf --unit millimeter
   splitstar convert cube.off -o turned.off --scale 1/2 --rotate 0,0,1,30 --translate -1,0,0.5
+";
+
+const DISTANCE: &str = "\
+splitstar distance: whether two convex polytopes overlap, how far apart, how deep, exact
+
+usage: splitstar distance A B [OPTIONS]
+
+  A B               files of convex polytopes of dimension 0 to 3; `-` is standard input
+  --quat-b W,X,Y,Z  turn B about the origin by a quaternion, exactly; its length does not matter
+  --move-b X,Y,Z    then move it
+  --along X,Y,Z     tell how many times B must be moved by X,Y,Z until they overlap no more
+  --path FILE       many placements instead, one a line: X Y Z, or X Y Z W X Y Z with a
+                    quaternion; `#` starts a comment. Prints one line, or one object, for each
+  --hull            take the convex hull of a file that is not convex, and tell how far a vertex
+                    of the mesh lies inside it at most
+  --triangulate     cut facets into triangles first; the way out for facets that are not planar
+  --json            a JSON object for each placement: relation, squared distance, squared
+                    penetration, closest points, features
+  -q, --quiet       no notes, no progress bar
+
+The relation is disjoint, touching (only boundaries meet) or overlapping (interiors meet). A point,
+a segment and a polygon overlap a solid if they meet its interior. The penetration is the length of
+the shortest move of B that ends the overlap; its direction is told. Roots may be irrational: the
+squares are exact. Witnesses are features by the numbers of their vertices in the files. A line of
+--path is the relation, the square of distance or penetration, and with --along the number of times.
+
+example:
+  splitstar distance cube.off octahedron.off --move-b 3,0,1/2 --along 0,0,1
+  splitstar distance cube.off octahedron.off --path motion.txt
 ";
 
 const ARRANGE: &str = "\

@@ -68,10 +68,14 @@ impl CubicalArrangement {
         if !found.is_empty() {
             return found;
         }
-        for side in CubeSide::ALL {
-            let dcel = self.side(side).dcel();
-            found.extend(dcel.vertices().filter_map(|id| self.check_vertex(At { side, id }).err()));
-            found.extend(dcel.edges().filter_map(|id| self.check_edge(At { side, id }).err()));
+        // Later steps walk along what earlier ones have checked.
+        found.extend(self.vertices_of_sides().filter_map(|v| self.check_copies(v).err()));
+        if found.is_empty() {
+            found.extend(self.edges_of_sides().filter_map(|e| self.check_across(e).err()));
+        }
+        if found.is_empty() {
+            found.extend(self.vertices_of_sides().filter_map(|v| self.check_vertex(v).err()));
+            found.extend(self.edges_of_sides().filter_map(|e| self.check_edge(e).err()));
         }
         if found.is_empty() {
             let counts = self.counts();
@@ -82,21 +86,58 @@ impl CubicalArrangement {
         found
     }
 
-    fn check_vertex(&self, v: At<VertexId>) -> Result<(), CubicalViolation> {
+    fn vertices_of_sides(&self) -> impl Iterator<Item = At<VertexId>> + '_ {
+        CubeSide::ALL
+            .into_iter()
+            .flat_map(|side| self.side(side).dcel().vertices().map(move |id| At { side, id }))
+    }
+
+    fn edges_of_sides(&self) -> impl Iterator<Item = At<EdgeId>> + '_ {
+        CubeSide::ALL
+            .into_iter()
+            .flat_map(|side| self.side(side).dcel().edges().map(move |id| At { side, id }))
+    }
+
+    fn is_on_border(&self, v: At<VertexId>) -> bool {
+        self.side(v.side).dcel().around(v.id).any(|id| self.is_outer(At { side: v.side, id }))
+    }
+
+    fn check_copies(&self, v: At<VertexId>) -> Result<(), CubicalViolation> {
         let direction = self.direction(v);
         let sides = CubeSide::of(&direction);
-        let is_on_border =
-            self.side(v.side).dcel().around(v.id).any(|id| self.is_outer(At { side: v.side, id }));
-        if !sides.contains(v.side) || is_on_border != (sides.count_sides() > 1) {
+        if !sides.contains(v.side) || self.is_on_border(v) != (sides.count_sides() > 1) {
             return Err(CubicalViolation::Border(v));
         }
         // Three copies, and no more, before the first comes again.
         let copies: Vec<At<VertexId>> = self.copies(v).take(4).collect();
+        let is_closed = copies.len() == 1 || copies.last().and_then(|&last| self.next_copy(last)) == Some(v);
         let has_all = copies.len() == sides.count_sides()
             && sides.into_iter().all(|side| copies.iter().any(|copy| copy.side == side));
-        if !has_all || copies.iter().any(|&copy| self.direction(copy) != direction) {
+        if !is_closed || !has_all || copies.iter().any(|&copy| self.direction(copy) != direction) {
             return Err(CubicalViolation::Copies(v));
         }
+        Ok(())
+    }
+
+    fn check_across(&self, e: At<EdgeId>) -> Result<(), CubicalViolation> {
+        let ends = |e: At<EdgeId>| {
+            let vertices = self.side(e.side).dcel().ends(e.id).map(|id| At { side: e.side, id });
+            vertices.map(|v| self.first_copy(v))
+        };
+        let is_along_border = [e.id.halfedge(), e.id.halfedge().twin()]
+            .iter()
+            .any(|&id| self.is_outer(At { side: e.side, id }));
+        match self.across(e) {
+            None if !is_along_border => Ok(()),
+            Some(other) if is_along_border && self.across(other) == Some(e) && ends(e) == ends(other) => {
+                Ok(())
+            }
+            _ => Err(CubicalViolation::Across(e)),
+        }
+    }
+
+    fn check_vertex(&self, v: At<VertexId>) -> Result<(), CubicalViolation> {
+        let (copies, is_on_border) = (self.copies(v).collect::<Vec<_>>(), self.is_on_border(v));
         // Around the vertex, clockwise, sides follow one another as the copies do.
         let mut around: Vec<CubeSide> = self.clockwise_around(v).map(|h| h.side).collect();
         around.dedup();
@@ -116,33 +157,104 @@ impl CubicalArrangement {
     }
 
     fn check_edge(&self, e: At<EdgeId>) -> Result<(), CubicalViolation> {
-        let ends = |e: At<EdgeId>| {
-            let vertices = self.side(e.side).dcel().ends(e.id).map(|id| At { side: e.side, id });
-            vertices.map(|v| self.first_copy(v))
-        };
-        let h = At { side: e.side, id: self.inner_halfedge(e) };
-        let is_on_border = [e.id.halfedge(), e.id.halfedge().twin()]
-            .iter()
-            .any(|&id| self.is_outer(At { side: e.side, id }));
-        match self.across(e) {
-            None if is_on_border => return Err(CubicalViolation::Across(e)),
-            None => {}
-            Some(other) => {
-                if !is_on_border || self.across(other) != Some(e) || ends(e) != ends(other) {
-                    return Err(CubicalViolation::Across(e));
-                }
-                if self.is_real_edge(e) != self.is_real_edge(other) {
-                    return Err(CubicalViolation::RealEdge(e));
-                }
-            }
-        }
         let is_real = self.is_real_edge(e);
-        if !is_real && !is_on_border {
+        // An edge within a side is real.
+        if self.across(e).map_or(!is_real, |other| self.is_real_edge(other) != is_real) {
             return Err(CubicalViolation::RealEdge(e));
         }
+        let h = At { side: e.side, id: self.inner_halfedge(e) };
         if !is_real && self.face(h) != self.face(self.twin(h)) {
             return Err(CubicalViolation::Face(e));
         }
         Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{CubicalFaceId, CubicalPieces};
+    use exact::spherical::{Direction, GreatCircle};
+
+    /// A circle, and a point at a corner that is not on it.
+    fn map() -> CubicalArrangement {
+        let mut pieces = CubicalPieces::new();
+        pieces.push_circle(&GreatCircle::from_i64([0, 0, 1]).expect("not zero"));
+        pieces.push_point(&Direction::from_i64([1, 1, 1]).expect("not zero"));
+        CubicalArrangement::of_pieces(pieces)
+    }
+
+    #[track_caller]
+    fn assert_found(change: impl Fn(&mut CubicalArrangement), is_it: impl Fn(&CubicalViolation) -> bool) {
+        let mut map = map();
+        assert_eq!(map.check_valid(), []);
+        change(&mut map);
+        let found = map.check_valid();
+        assert!(found.iter().any(is_it), "{found:?}");
+        assert!(found.iter().all(|violation| !violation.to_string().is_empty()));
+    }
+
+    #[test]
+    fn what_is_broken_is_found() {
+        let side = CubeSide::new(0, true);
+        let corner = |map: &CubicalArrangement| At { side, id: map.corners(side)[3] };
+        let on_border = |map: &CubicalArrangement| {
+            let dcel = map.side(side).dcel();
+            let mut vertices = dcel.vertices().map(|id| At { side, id });
+            vertices.find(|&v| map.place(v) == crate::Place::Edge).expect("the circle passes over an edge")
+        };
+        let edge = |map: &CubicalArrangement, is_real: bool| {
+            let mut edges = map.side(side).dcel().edges().map(|id| At { side, id });
+            edges.find(|&e| map.is_real_edge(e) == is_real).expect("there are both")
+        };
+        assert_found(
+            |map| {
+                let v = corner(map);
+                map.sides[side.index()].is_real_vertex[v.id.index()] = false;
+            },
+            |found| matches!(found, CubicalViolation::RealVertex(_)),
+        );
+        assert_found(
+            |map| {
+                let v = on_border(map);
+                map.sides[side.index()].next_copy[v.id.index()] = None;
+            },
+            |found| matches!(found, CubicalViolation::Copies(_)),
+        );
+        assert_found(
+            |map| {
+                let e = edge(map, false);
+                map.sides[side.index()].across[e.id.index()] = None;
+            },
+            |found| matches!(found, CubicalViolation::Across(_)),
+        );
+        assert_found(
+            |map| {
+                let e = edge(map, true);
+                map.sides[side.index()].is_real_edge[e.id.index()] = false;
+            },
+            |found| matches!(found, CubicalViolation::RealEdge(_)),
+        );
+        assert_found(
+            |map| {
+                let part = map.part(CubicalFaceId(0));
+                map.sides[part.side.index()].faces[part.id.index()] = CubicalFaceId(1);
+            },
+            |found| matches!(found, CubicalViolation::Face(_)),
+        );
+        assert_found(|map| map.face_count += 1, |found| matches!(found, CubicalViolation::Euler));
+    }
+
+    #[test]
+    fn three_copies_in_the_other_order_are_found() {
+        let reverse = |map: &mut CubicalArrangement| {
+            let side = CubeSide::new(0, true);
+            let v = At { side, id: map.corners(side)[3] };
+            let copies: Vec<At<VertexId>> = map.copies(v).collect();
+            for (i, copy) in copies.iter().enumerate() {
+                map.sides[copy.side.index()].next_copy[copy.id.index()] = Some(copies[(i + 2) % 3]);
+            }
+        };
+        assert_found(reverse, |found| matches!(found, CubicalViolation::Copies(_)));
     }
 }

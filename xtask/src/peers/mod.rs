@@ -6,9 +6,11 @@
 //! | `setup` | builds the CGAL drivers, makes the Python environment, writes the inputs |
 //! | `report` | the table, the ratios, and the dated JSON |
 //! | `arrangements` | the same for arrangements: `cargo xtask peers arrangements` |
+//! | `proximity` | the same for distances and depths: `cargo xtask peers proximity` |
 
 pub(crate) mod arrangements;
 mod pairs;
+mod proximity;
 mod report;
 mod setup;
 
@@ -54,7 +56,7 @@ struct Options {
     out: Option<PathBuf>,
 }
 
-/// Runs all pairs, prints the table and writes the results; or does so for arrangements.
+/// Runs all pairs, prints the table and writes the results; or does so for arrangements, or for proximity.
 ///
 /// # Errors
 /// If an option is wrong, or the library fails; with `--require` also if a peer is missing or fails, exact counts disagree, or a
@@ -62,6 +64,9 @@ struct Options {
 pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
     if let ["arrangements", rest @ ..] = words {
         return arrangements::run(rest);
+    }
+    if let ["proximity", rest @ ..] = words {
+        return proximity::run(rest);
     }
     let options = options(words)?;
     let wanted: Vec<&'static Pair> = pairs::PAIRS

@@ -11,11 +11,14 @@ pub(super) fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
         Verb::Sum => (2, usize::MAX),
         Verb::Hull | Verb::Arrange => (1, usize::MAX),
         Verb::Info | Verb::Convert | Verb::Gauss => (1, 1),
-        Verb::Locate => (2, 2),
+        Verb::Distance | Verb::Locate => (2, 2),
     };
     let count = run.operands.len();
-    if verb == Verb::Locate && count != 2 {
-        let wanted = "the file of an arrangement and a file of points";
+    if count != 2 && matches!(verb, Verb::Distance | Verb::Locate) {
+        let wanted = match verb {
+            Verb::Locate => "the file of an arrangement and a file of points",
+            _ => "the files of two polytopes",
+        };
         return Err(usage(verb, format!("{wanted} expected, {count} given")));
     }
     if count < least {
@@ -25,10 +28,11 @@ pub(super) fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
     if count > most {
         return Err(usage(verb, format!("one file to read expected, {count} given")));
     }
-    if run.operands.iter().filter(|operand| **operand == Place::Standard).count() > 1 {
+    let inputs = run.operands.iter().chain(&run.placing.path);
+    if inputs.filter(|input| **input == Place::Standard).count() > 1 {
         return Err(usage(verb, "standard input `-` can be read once only"));
     }
-    if !matches!(verb, Verb::Info | Verb::Arrange | Verb::Locate | Verb::Gauss) && run.output.is_none() {
+    if verb.needs_output() && run.output.is_none() {
         return Err(usage(verb, "where to write is missing: -o OUT, or -o - for standard output"));
     }
     let named = match (&run.output, verb) {
@@ -59,6 +63,10 @@ pub(super) fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
     check_surface(run)?;
     if given.contains(&"rotate") && given.contains(&"quat") {
         return Err(usage(verb, "`--rotate` and `--quat` exclude each other"));
+    }
+    if given.contains(&"path") && (given.contains(&"move-b") || given.contains(&"quat-b")) {
+        let sentence = "`--path` has all placements, and excludes `--move-b` and `--quat-b`";
+        return Err(usage(verb, sentence));
     }
     if run.strategy == Some(Strategy::Sweep) && run.ray.is_some() {
         let others: Vec<&str> =

@@ -165,6 +165,12 @@ impl Place {
         }
     }
 
+    /// Whether the ending of the name is that of gzip.
+    pub(crate) fn is_packed(&self) -> bool {
+        let name = self.file_name().unwrap_or_default();
+        name.rsplit_once('.').is_some_and(|(_, ending)| ending.eq_ignore_ascii_case("gz"))
+    }
+
     /// The name of a file in its folder.
     pub(crate) fn file_name(&self) -> Option<String> {
         match self {

@@ -12,7 +12,7 @@ use splitstar::arrangement::Arrangement;
 use splitstar::arrangement::models::{GeodesicTraits, TorusSegmentTraits};
 use splitstar::arrangement::sweep::Progress;
 use splitstar::arrangement::topology::Topology;
-use splitstar::arrangement::traits::ApproxTraits;
+use splitstar::arrangement::traits::{ApproxTraits, UMonotoneTraits};
 use splitstar::formats::{self, CurveError, StarArrangement};
 use splitstar::render::{Frame, GlobeOptions, RenderError, Scene, SvgOptions};
 use std::ops::ControlFlow;
@@ -154,7 +154,7 @@ fn scene(arrangement: &StarArrangement, view: Option<View>) -> Result<Scene, Ren
     }
 }
 
-pub(super) fn sphere_scene<G: ApproxTraits, T: Topology<G>>(
+pub(super) fn sphere_scene<G: ApproxTraits + UMonotoneTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     sphere: &GeodesicTraits,
     view: Option<View>,

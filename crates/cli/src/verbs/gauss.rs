@@ -2,7 +2,7 @@
 
 use super::arrange::{sphere, sphere_scene};
 use super::counted;
-use super::sum::summand;
+use super::sum::convex;
 use crate::args::{CellEncoding, CellFormat, Place, Run};
 use crate::console::Console;
 use crate::failure::{Failure, one_line};
@@ -25,7 +25,7 @@ pub(crate) fn gauss(run: &Run) -> Result<(), Failure> {
     operand.tell_notes(&console);
     let mut seconds = Seconds { read: clock.lap(), ..Seconds::default() };
     console.step(run.verb.name());
-    let polytope = summand(&operand, run, &console)?;
+    let polytope = convex(&operand, run, &console)?;
     let map: StarGaussianMap = match run.cubical {
         true => CubicalGaussianMap::of_polytope(&polytope).into(),
         false => SphericalGaussianMap::of_polytope_with(&polytope, sphere(run)).into(),

@@ -1,7 +1,7 @@
 //! `splitstar sum`.
 
 use super::convert::triangulated;
-use super::{Job, Outcome, used_points};
+use super::{Job, Outcome, common_unit, used_points};
 use crate::approx::approx_root;
 use crate::args::{Method, Run};
 use crate::console::Console;
@@ -15,11 +15,11 @@ use splitstar::polytope::{
 
 pub(crate) fn sum(run: &Run) -> Result<(), Failure> {
     let job = Job::start(run)?;
-    let unit = job.unit()?;
+    let unit = common_unit(&job.operands)?;
     let summands = job
         .operands
         .iter()
-        .map(|operand| summand(operand, run, &job.console))
+        .map(|operand| convex(operand, run, &job.console))
         .collect::<Result<Vec<_>, _>>()?;
     let summands: Vec<&Polytope> = summands.iter().collect();
     if run.method == Method::Hull {
@@ -79,7 +79,7 @@ fn too_many_sums(a: usize, b: usize) -> bool {
 }
 
 /// The polytope of a file, cut into triangles if that is wanted; of a file that is not convex its hull, if that is wanted.
-pub(super) fn summand(operand: &Operand, run: &Run, console: &Console) -> Result<Polytope, Failure> {
+pub(super) fn convex(operand: &Operand, run: &Run, console: &Console) -> Result<Polytope, Failure> {
     let filed = operand.mesh()?;
     let triangles = run.triangulate.then(|| triangulated(filed, operand)).transpose()?;
     let mesh = triangles.as_ref().unwrap_or(filed);

@@ -7,6 +7,7 @@ mod arrange;
 mod convert;
 mod damaged;
 mod defects;
+mod distance;
 mod encode;
 mod formats;
 mod gauss;

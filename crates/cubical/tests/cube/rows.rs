@@ -58,7 +58,12 @@ fn rows() -> Vec<Row> {
         row("a point at a corner", vec![point([-1, 1, 1])], [1, 0, 1, 1, 1], [24, 24, 6]),
         row("an arc within a side", vec![arc([5, 1, 2], [5, -1, 2])], [2, 1, 1, 0, 1], [26, 25, 6]),
         row("an arc over an edge", vec![arc([3, 1, 0], [1, 3, 0])], [2, 1, 1, 0, 1], [28, 28, 6]),
-        row("an arc over a corner, and on along an edge", vec![arc([3, 1, 1], [1, 3, 3])], [2, 1, 1, 0, 1], [27, 27, 6]),
+        row(
+            "an arc over a corner, and on along an edge",
+            vec![arc([3, 1, 1], [1, 3, 3])],
+            [2, 1, 1, 0, 1],
+            [27, 27, 6],
+        ),
         row("an arc from an edge", vec![arc([1, 1, 0], [1, 0, 0])], [2, 1, 1, 0, 1], [27, 27, 6]),
         row(
             "an arc from a corner to a corner across",

@@ -2,6 +2,7 @@
 
 use super::line::Lines;
 use crate::base::error::{Fault, Located};
+use crate::base::scan::Scanner;
 
 /// What a star file holds.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
@@ -19,6 +20,17 @@ impl StarKind {
             Self::Complex => "complex",
             Self::Arrangement => "arrangement",
             Self::Gaussian => "gaussian",
+        }
+    }
+
+    /// What is said of an empty file.
+    fn missing(self) -> Fault {
+        match self {
+            Self::Arrangement => Fault::Malformed {
+                why: "the file is empty; an arrangement was expected, as `splitstar arrange CURVES -o OUT.star` writes it"
+                    .into(),
+            },
+            Self::Complex | Self::Gaussian => Fault::Empty,
         }
     }
 
@@ -47,11 +59,18 @@ impl StarKind {
     }
 }
 
+/// Tells whether a text begins as an arrangement does.
+pub(crate) fn is_arrangement(bytes: &[u8]) -> bool {
+    let mut scanner = Scanner::new(bytes);
+    let words = [scanner.token(), scanner.token_in_line(), scanner.token_in_line()];
+    words.map(|word| word.map_or(&b""[..], |word| word.bytes)) == [&b"star"[..], b"1", b"arrangement"]
+}
+
 /// Reads the first line, which must name version 1 and one of these kinds; messages name the first of them.
 pub(super) fn read_first_line(lines: &mut Lines<'_>, wanted: &[StarKind]) -> Result<StarKind, Located> {
     let first = wanted[0];
     let name = first.name();
-    let (word, mut line) = lines.next_record().ok_or(Fault::Empty)?;
+    let (word, mut line) = lines.next_record().ok_or_else(|| first.missing())?;
     if word.bytes != b"star" {
         return Err(word.unexpected(&format!("the first line `star 1 {name}`")));
     }

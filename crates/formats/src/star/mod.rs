@@ -26,6 +26,7 @@ pub use arrangement::{
     StarArrangement, StarText, TorusArrangement, TorusPolycurveArrangement, read_arrangement,
     read_numbered_arrangement, write_arrangement,
 };
+pub(crate) use first::is_arrangement;
 pub use gaussian::{StarGaussianMap, read_gaussian_map, write_gaussian_map};
 pub(crate) use read::read;
 pub(crate) use write::{write_complex, write_mesh};

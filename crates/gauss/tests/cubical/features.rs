@@ -69,7 +69,7 @@ pub(crate) fn check(map: &CubicalGaussianMap, polytope: &Polytope, context: &str
             let ends = [cube.twin(out), out].map(vertex_of);
             seen.insert((ends, normal(out), normal(back)));
         }
-        let parts: HashSet<_> = view.halfedges(edge).map(|h| vertex_of(h)).collect();
+        let parts: HashSet<_> = view.halfedges(edge).map(vertex_of).collect();
         assert_eq!(parts.len(), 1, "{context}: one vertex along an edge");
     }
     assert_eq!(seen, edges, "{context}");
