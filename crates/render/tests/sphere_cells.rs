@@ -11,6 +11,7 @@ use arrangement::topology::Sphere;
 use arrangement::traits::ApproxTraits;
 use splitstar_render::{Colour, GlobeOptions, Item, Point, Scene, Shape};
 
+#[allow(dead_code, reason = "other tests use more of it")]
 mod geodesics;
 
 use geodesics::{arc, arrange, circle, direction, point, polygon, sample, via};

@@ -30,8 +30,8 @@ pub(super) enum Operands<'a> {
 /// What it gives.
 pub(super) enum Sum {
     Polytope(Polytope),
-    Spherical(SphericalGaussianMap),
-    Cubical(CubicalGaussianMap),
+    Spherical(Box<SphericalGaussianMap>),
+    Cubical(Box<CubicalGaussianMap>),
 }
 
 impl Method {
@@ -68,10 +68,12 @@ impl Operands<'_> {
         match self {
             Self::Polytopes(polytopes, sum) => Sum::Polytope(sum(polytopes)),
             Self::Spherical(maps) => {
-                Sum::Spherical(SphericalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()))
+                let sum = SphericalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>());
+                Sum::Spherical(Box::new(sum))
             }
             Self::Cubical(maps) => {
-                Sum::Cubical(CubicalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()))
+                let sum = CubicalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>());
+                Sum::Cubical(Box::new(sum))
             }
         }
     }

@@ -70,3 +70,11 @@ fn print_row(name: &str, counted: &str, printed: &str, why: &str) -> Option<Stri
     println!("{name:<30} | {counted:<15} | {printed:<15} | {why}");
     ((counted == printed) != why.is_empty()).then(|| name.to_owned())
 }
+
+#[cfg(test)]
+mod tests {
+    #[test]
+    fn rows_differ_where_it_is_said() {
+        super::counted().expect("every row without a reason is as printed, and no other");
+    }
+}

@@ -68,7 +68,7 @@ const fn row(
 /// The corner of a box.
 const CORNER: [[i64; 3]; 4] = [[0, 0, 0], [1, 0, 0], [0, 2, 0], [0, 0, 3]];
 const CORNER_NOTE: &str =
-    "with three edges along the axes, of different lengths; of the regular one no turn gives these";
+    "with edges 1, 2 and 3 along the axes; no turn that was tried gives these counts of the regular one";
 
 /// A pyramid over a polygon of 16 corners, four of which are on the axes: its lateral facets beside these are mapped to edges of the cube.
 const PYRAMID: [[i64; 3]; 17] = [
@@ -91,7 +91,7 @@ const PYRAMID: [[i64; 3]; 17] = [
     [0, -10_000, 0],
 ];
 const PYRAMID_NOTE: &str =
-    "as high as its radius, with corners on the axes; of the model of 0.7 of that height no turn gives these";
+    "as high as its radius, with corners on the axes; the model, which is 0.7 of that high, fits the sum";
 
 /// Table 3.3.
 pub(super) const POLYTOPES: [Row; 8] = [
@@ -172,7 +172,7 @@ pub(super) const SUMS: [Row; 5] = [
             other(
                 [242, 832, 186],
                 [4, 3, 0, -4],
-                "none of 2,928 turns; facets on edges of the cube are needed",
+                "the nearest of 2,928 turns; the printed counts need facets on edges of the cube",
             ),
         ],
     ),

@@ -105,7 +105,7 @@ fn vertices(map: &CubicalArrangement, look: Look) -> Result<Layer, RenderError> 
             let dcel = map.side(side).dcel();
             for id in dcel.vertices().filter(|&id| map.is_real_vertex(At { side, id }) == is_real) {
                 let (style, size) = match is_real {
-                    true => (look.vertex(dcel.outgoing(id).is_none()), look.size),
+                    true => (look.vertex(map.real_around(At { side, id }).next().is_none()), look.size),
                     false => (artificial.clone(), look.size * 0.7),
                 };
                 let disc = Item::new(Shape::disc(place(map, side, id)?, size), style);

@@ -23,9 +23,9 @@ use polytope::Polytope;
 #[non_exhaustive]
 pub enum StarGaussianMap {
     /// On the sphere.
-    Spherical(SphericalGaussianMap),
+    Spherical(Box<SphericalGaussianMap>),
     /// On the sides of a cube.
-    Cubical(CubicalGaussianMap),
+    Cubical(Box<CubicalGaussianMap>),
 }
 
 impl StarGaussianMap {
@@ -40,12 +40,12 @@ impl StarGaussianMap {
 
 impl From<SphericalGaussianMap> for StarGaussianMap {
     fn from(map: SphericalGaussianMap) -> Self {
-        Self::Spherical(map)
+        Self::Spherical(Box::new(map))
     }
 }
 
 impl From<CubicalGaussianMap> for StarGaussianMap {
     fn from(map: CubicalGaussianMap) -> Self {
-        Self::Cubical(map)
+        Self::Cubical(Box::new(map))
     }
 }
