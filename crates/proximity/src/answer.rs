@@ -5,7 +5,7 @@ use crate::contact::{Foot, contact, dot, minus, plus, quotient};
 use crate::expansion::{Exit, Expansion};
 use crate::relative::Solid;
 use crate::simplex::Nearest;
-use crate::{RelativePlacement, Translation};
+use crate::{Pair, RelativePlacement, Translation};
 use dcel::{FacetId, HalfedgeId, VertexId};
 use exact::{Quaternion, Rational, Vector3};
 use polytope::Polytope;
@@ -43,7 +43,8 @@ impl fmt::Display for Feature {
     }
 }
 
-/// Where a query has ended: given to the next one, it begins there. It changes the time that an answer takes, never the answer.
+/// Where a query has ended: given to the next one, it begins there. It changes the time that an answer takes, never the answer; but
+/// where a ray leaves M through several facets at once, it may decide which of them is named.
 ///
 /// A witness of other polytopes does no harm.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, Debug)]
@@ -157,15 +158,22 @@ impl Separation<'_> {
         [on_p, on_q]
     }
 
-    /// Gives the least faces of P and Q that contain all closest points; for overlapping polytopes, the features that make
-    /// the facet of M at which the query has ended.
+    /// Gives the least faces of P and Q that contain all closest points; for overlapping polytopes, those in contact after a
+    /// shortest move that ends the overlap.
     pub fn features(&self) -> [Feature; 2] {
-        let bodies = self.place.bodies();
-        let foot = self.foot();
         if self.relation == Relation::Overlapping {
-            return bodies.faces(&foot.normal);
+            // Begun anew, so that the answer does not depend on where this query has begun.
+            return match self.place {
+                Place::Sum(of, _) => of.minimum_penetration(self.s, None).map(|found| found.features()),
+                Place::Pair(p, q, rotation) => {
+                    let pair = Pair::new(p, q);
+                    let found = pair.minimum_penetration(self.s, rotation, None);
+                    found.map(|found| found.features())
+                }
+            }
+            .expect("polytopes that overlap have a depth");
         }
-        contact(&bodies, &foot).features
+        contact(&self.place.bodies(), &self.foot()).features
     }
 
     fn foot(&self) -> Foot {

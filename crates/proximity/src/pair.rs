@@ -136,7 +136,7 @@ impl<'p> Pair<'p> {
             if direction.is_zero() {
                 return None;
             }
-            let mut hull = around(&bodies, s, witness);
+            let mut hull = around(&bodies, s, Some(witness));
             let exit = hull.exit(direction);
             found.witness = Witness::of_vertices(exit.of);
             found.exit = Some(Box::new(exit));
@@ -156,7 +156,8 @@ impl<'p> Pair<'p> {
         if relation != Relation::Overlapping {
             return None;
         }
-        let mut hull = around(&bodies, s, witness);
+        // Begun anew: of several nearest facets the same one is found for any hint.
+        let mut hull = around(&bodies, s, None);
         let exit = hull.nearest_plane(LIMIT).unwrap_or_else(|| self.by_sum(s, rotation, witness));
         let witness = Witness::of_vertices(exit.of);
         let place = Place::Pair(self.p, self.q, rotation);
@@ -180,8 +181,8 @@ impl<'p> Pair<'p> {
 const LIMIT: usize = 1000;
 
 /// A hull with s in its interior, for polytopes that overlap.
-fn around<'b>(bodies: &'b Bodies<'b>, s: &'b Translation, witness: Witness) -> Expansion<'b> {
-    let start = bodies.start(Some(witness));
+fn around<'b>(bodies: &'b Bodies<'b>, s: &'b Translation, hint: Option<Witness>) -> Expansion<'b> {
+    let start = bodies.start(hint);
     let mut hull =
         Expansion::new(bodies, &s.0, start).expect("polytopes whose sum lies in a plane do not overlap");
     hull.relation();
