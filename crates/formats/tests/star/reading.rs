@@ -325,7 +325,7 @@ fn other_versions_and_kinds_are_refused() {
         ),
         (
             b"star 1 map",
-            "line 1: star kind `map` cannot be read; this program knows the kinds `complex` and `arrangement` only: update it, or correct the kind",
+            "line 1: star kind `map` cannot be read; this program knows the kinds `complex`, `arrangement` and `gaussian` only: update it, or correct the kind",
         ),
         (b"end", "line 1: `end` where the first line `star 1 complex` was expected; correct it"),
         (b" # only\n", "the file is empty; a model was expected"),
