@@ -1,13 +1,13 @@
 //! The map reflected through the center.
 
+use crate::connected::{KnownEdge, of_connected};
 use crate::map::{At, CubicalArrangement, CubicalFaceId, SideArrangement};
 use crate::stitch::{Patch, stitch};
 use arrangement::models::{Segment, SegmentTraits};
 use arrangement::topology::BoundedPlane;
 use arrangement::{Arrangement, Pieces};
-use dcel::{EdgeId, HalfedgeId, VertexId};
+use dcel::{EdgeId, FaceId, HalfedgeId, VertexId};
 use exact::gnomonic::CubeSide;
-use exact::planar::Point2;
 
 impl CubicalArrangement {
     /// Makes the map in which every direction has become its antipodal one, and tells for each of its faces of which it is the image.
@@ -15,7 +15,7 @@ impl CubicalArrangement {
     /// The arrangement of a side comes to the opposite side, where (u, v) becomes (-v, -u).
     ///
     /// # Complexity
-    /// That of six sweeps over edges that do not meet: O(n log n).
+    /// O(n log n); six sweeps only where something is not connected with the edges of the cube.
     ///
     /// ```
     /// use arrangement::models::Geodesic;
@@ -36,14 +36,10 @@ impl CubicalArrangement {
     /// ```
     pub fn reflected(&self) -> (Self, Vec<CubicalFaceId>) {
         let images = CubeSide::ALL.map(|side| self.image_on(side));
-        // For each edge of a new side, its halfedge and the old one of which that is the image.
-        let old_halfedges = images.each_ref().map(|(patch, sources)| {
-            let edges = 0..patch.arrangement.dcel().edge_bound();
-            edges
-                .map(|e| sources[patch.arrangement.support(EdgeId::new(e)).index()])
-                .collect::<Vec<HalfedgeId>>()
-        });
-        let map = stitch(images.map(|(patch, _)| patch));
+        // For each edge of a new side, the halfedge of the old one of which that to the right along it is the image.
+        let (patches, old_halfedges): (Vec<Patch>, Vec<Vec<HalfedgeId>>) = images.into_iter().unzip();
+        let patches = <[Patch; 6]>::try_from(patches).expect("a cube has six sides");
+        let map = stitch(patches);
         let faces = map
             .faces()
             .map(|face| {
@@ -60,39 +56,83 @@ impl CubicalArrangement {
         (map, faces)
     }
 
-    /// The image of the opposite side on this one; and for each of its curves, which are as many as edges, the halfedge of which the one to the right
-    /// along it is the image.
+    /// The image of the opposite side on this one; and for each of its edges the halfedge of which the one to the right along it is the image.
     fn image_on(&self, side: CubeSide) -> (Patch, Vec<HalfedgeId>) {
-        let from = side.opposite();
-        let own = &self.sides[from.index()];
-        let dcel = own.arrangement.dcel();
-        let points: Vec<Option<Point2>> = (0..dcel.vertex_bound())
-            .map(|v| own.arrangement.point(VertexId::new(v)).map(CubeSide::antipodal_point))
-            .collect();
-        let point =
-            |v: VertexId| points[v.index()].clone().expect("an opposite point lies on the opposite side");
-        let mut pieces = Pieces::new();
-        let mut sources = Vec::with_capacity(dcel.edge_count());
-        for e in dcel.edges() {
-            let [min, max] = dcel.ends(e);
-            let line = CubeSide::antipodal_line(own.arrangement.curve_of(e).line());
-            let segment = Segment::on_line(line, point(min), point(max)).expect("ends are different");
-            sources.push(if segment.is_directed_right() { e.halfedge() } else { e.halfedge().twin() });
-            pieces.push_curve(segment);
-        }
-        dcel.faces().flat_map(|f| dcel.isolated_vertices(f)).for_each(|v| pieces.push_point(point(v)));
-        let arrangement: SideArrangement = Arrangement::of_pieces(SegmentTraits, BoundedPlane, pieces);
-        let image = arrangement.dcel();
-        let mut is_real_edge = vec![false; image.edge_bound()];
+        let own = &self.sides[side.opposite().index()];
+        let (arrangement, old_halfedges) = match is_connected(&own.arrangement) {
+            true => connected_image(&own.arrangement),
+            false => swept_image(&own.arrangement),
+        };
+        let (dcel, image) = (own.arrangement.dcel(), arrangement.dcel());
+        let is_real_edge = old_halfedges.iter().map(|h| own.is_real_edge[h.edge()]).collect();
         let mut is_given = vec![false; image.vertex_bound()];
         for e in image.edges() {
-            let old = sources[arrangement.support(e).index()];
-            is_real_edge[e.index()] = own.is_real_edge[old.edge()];
+            let old = old_halfedges[e.index()];
             let old_ends = [dcel.source(old), dcel.target(old)];
             for (v, old) in image.ends(e).into_iter().zip(old_ends) {
                 is_given[v.index()] = own.is_real_vertex[old.index()];
             }
         }
-        (Patch { arrangement, is_real_edge, is_given }, sources)
+        (Patch { arrangement, is_real_edge, is_given }, old_halfedges)
     }
+}
+
+/// Tells whether there are no gaps in the numbers of vertices and edges, and all edges are connected.
+fn is_connected(arrangement: &SideArrangement) -> bool {
+    let dcel = arrangement.dcel();
+    let has_one_component = |f: FaceId| {
+        let holes = usize::from(f == arrangement.corner_face());
+        dcel.inner_ccbs(f).count() == holes && dcel.isolated_vertices(f).next().is_none()
+    };
+    dcel.vertex_count() == dcel.vertex_bound()
+        && dcel.edge_count() == dcel.edge_bound()
+        && dcel.faces().all(has_one_component)
+}
+
+/// The image of a segment, directed from the image of its lesser end.
+fn image_of(segment: &Segment) -> Segment {
+    let [min, max] = [segment.min(), segment.max()].map(CubeSide::antipodal_point);
+    let line = CubeSide::antipodal_line(segment.line());
+    Segment::on_line(line, min, max).expect("ends are different")
+}
+
+/// The image of an arrangement, read off its cells.
+fn connected_image(own: &SideArrangement) -> (SideArrangement, Vec<HalfedgeId>) {
+    let dcel = own.dcel();
+    let point = |v| own.point(v).expect("in the bounded plane every vertex has a point");
+    let points =
+        (0..dcel.vertex_bound()).map(|v| CubeSide::antipodal_point(point(VertexId::new(v)))).collect();
+    let curves: Vec<Segment> = own.curves().iter().map(image_of).collect();
+    let mut edges = Vec::with_capacity(dcel.edge_count());
+    let mut old_halfedges = Vec::with_capacity(dcel.edge_count());
+    for e in dcel.edges() {
+        let support = own.support(e);
+        let is_right = curves[support.index()].is_directed_right();
+        let h = if is_right { e.halfedge() } else { e.halfedge().twin() };
+        edges.push(KnownEdge { support: support.0, ends: [dcel.source(h).0, dcel.target(h).0] });
+        old_halfedges.push(h);
+    }
+    (of_connected(points, curves, &edges).0, old_halfedges)
+}
+
+/// The image of an arrangement, by a sweep.
+fn swept_image(own: &SideArrangement) -> (SideArrangement, Vec<HalfedgeId>) {
+    let dcel = own.dcel();
+    let point = |v: VertexId| {
+        CubeSide::antipodal_point(own.point(v).expect("in the bounded plane every vertex has a point"))
+    };
+    let mut pieces = Pieces::new();
+    let mut sources = Vec::with_capacity(dcel.edge_count());
+    for e in dcel.edges() {
+        let [min, max] = dcel.ends(e);
+        let line = CubeSide::antipodal_line(own.curve_of(e).line());
+        let segment = Segment::on_line(line, point(min), point(max)).expect("ends are different");
+        sources.push(if segment.is_directed_right() { e.halfedge() } else { e.halfedge().twin() });
+        pieces.push_curve(segment);
+    }
+    dcel.faces().flat_map(|f| dcel.isolated_vertices(f)).for_each(|v| pieces.push_point(point(v)));
+    let image: SideArrangement = Arrangement::of_pieces(SegmentTraits, BoundedPlane, pieces);
+    let edges = 0..image.dcel().edge_bound();
+    let old_halfedges = edges.map(|e| sources[image.support(EdgeId::new(e)).index()]).collect();
+    (image, old_halfedges)
 }

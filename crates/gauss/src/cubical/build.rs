@@ -4,7 +4,7 @@ use super::CubicalGaussianMap;
 use cubical::{ArcEnd, At, CubeSide, CubicalArrangement, CubicalPieces};
 use dcel::{EdgeId, HalfedgeId, Mesh};
 use exact::spherical::{Direction, GreatCircle};
-use polytope::{Facets, PolygonMesh, Polytope, convex_hull};
+use polytope::{Facets, Polytope, convex_hull};
 
 impl CubicalGaussianMap {
     /// Makes the Gaussian map of a polytope.
@@ -17,7 +17,7 @@ impl CubicalGaussianMap {
     pub fn of_polytope(polytope: &Polytope) -> Self {
         let mesh = polytope.mesh();
         let circles: Vec<GreatCircle> = mesh.edges().map(|h| circle_of(polytope, h)).collect();
-        let mut pieces = CubicalPieces::new();
+        let mut pieces = CubicalPieces::with_capacity(mesh.facet_count(), circles.len());
         let normals: Vec<ArcEnd> = match polytope.dimension() {
             0 | 1 => Vec::new(),
             _ => {
@@ -36,7 +36,11 @@ impl CubicalGaussianMap {
             }
             ends.push([mesh.target(h), mesh.source(h)].map(|v| &polytope.points()[v.index()]));
         }
-        let (arrangement, arcs) = CubicalArrangement::of_pieces_with_arcs(pieces);
+        // Arcs meet in normals of facets only; a circle has none.
+        let (arrangement, arcs) = match polytope.dimension() {
+            1 => CubicalArrangement::of_pieces_with_arcs(pieces),
+            _ => CubicalArrangement::of_connected_pieces_with_arcs(pieces),
+        };
         // Without arcs there is one face, and one point.
         let mut points = vec![polytope.points()[0].clone(); arrangement.face_count()];
         let mut is_known = vec![false; points.len()];
@@ -77,11 +81,7 @@ impl CubicalGaussianMap {
             cycle.extend(self.arrangement.real_around(v).map(|h| self.arrangement.face(h).0));
             facets.push(&cycle);
         }
-        let mut notes = Vec::new();
-        let mesh = PolygonMesh { points: self.points.clone(), facets };
-        let polytope = Polytope::from_mesh(&mesh, &mut notes);
-        debug_assert!(notes.is_empty(), "{notes:?}");
-        polytope.expect("a Gaussian map is that of a polytope")
+        Polytope::from_trusted_facets(self.points.clone(), &facets)
     }
 }
 

@@ -56,7 +56,7 @@ impl CubicalGaussianMap {
     /// Makes the Gaussian map of the polytope reflected through the origin, from the map itself.
     ///
     /// # Complexity
-    /// That of six sweeps over edges that do not meet: O(n log n).
+    /// O(n log n), for the order of the vertices.
     ///
     /// ```
     /// use exact::Point3;
