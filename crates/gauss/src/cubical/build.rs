@@ -78,7 +78,16 @@ impl CubicalGaussianMap {
         let mut cycle = Vec::new();
         for v in self.arrangement.real_vertices() {
             cycle.clear();
-            cycle.extend(self.arrangement.real_around(v).map(|h| self.arrangement.face(h).0));
+            let face = |h| self.arrangement.face(h).0;
+            let side = v.side;
+            match self.arrangement.next_copy(v) {
+                // Within its side, there is nothing artificial.
+                None => {
+                    let around = self.arrangement.side(side).dcel().around(v.id);
+                    cycle.extend(around.map(|id| face(At { side, id })));
+                }
+                Some(_) => cycle.extend(self.arrangement.real_around(v).map(face)),
+            }
             facets.push(&cycle);
         }
         Polytope::from_trusted_facets(self.points.clone(), &facets)
