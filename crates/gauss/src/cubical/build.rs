@@ -2,7 +2,8 @@
 
 use super::CubicalGaussianMap;
 use cubical::{ArcEnd, At, CubeSide, CubicalArrangement, CubicalPieces};
-use dcel::{EdgeId, HalfedgeId, Mesh};
+use dcel::{HalfedgeId, Mesh};
+use exact::Point3;
 use exact::spherical::{Direction, GreatCircle};
 use polytope::{Facets, Polytope, convex_hull};
 
@@ -42,26 +43,22 @@ impl CubicalGaussianMap {
             _ => CubicalArrangement::of_connected_pieces_with_arcs(pieces),
         };
         // Without arcs there is one face, and one point.
-        let mut points = vec![polytope.points()[0].clone(); arrangement.face_count()];
-        let mut is_known = vec![false; points.len()];
+        let mut points: Vec<Option<&Point3>> = vec![None; arrangement.face_count()];
         for side in CubeSide::ALL {
-            for (e, arc) in arcs[side.index()].iter().enumerate() {
-                let Some(arc) = *arc else { continue };
-                let e = EdgeId::new(e);
-                let is_right = arrangement.side(side).curve_of(e).is_directed_right();
-                let along = if is_right { e.halfedge() } else { e.halfedge().twin() };
-                for (id, &point) in [along, along.twin()].into_iter().zip(&ends[arc as usize]) {
-                    let h = At { side, id };
-                    if arrangement.is_outer(h) {
-                        continue;
-                    }
-                    let face = arrangement.face(h).index();
-                    if !std::mem::replace(&mut is_known[face], true) {
-                        points[face] = point.clone();
-                    }
+            let own = arrangement.side(side);
+            for id in own.dcel().faces() {
+                let Some(face) = arrangement.face_of(At { side, id }) else { continue };
+                let point = &mut points[face.index()];
+                if let (None, Some(ccb)) = (&point, own.dcel().first_ccb(id)) {
+                    *point = own.dcel().ccb_cycle(ccb).find_map(|h| {
+                        let arc = arcs[side.index()][h.edge()]?;
+                        let is_along = own.curve_of(h.edge_id()).is_directed_right() == h.is_even();
+                        Some(ends[arc as usize][usize::from(!is_along)])
+                    });
                 }
             }
         }
+        let points = points.into_iter().map(|point| point.unwrap_or(&polytope.points()[0]).clone()).collect();
         Self { arrangement, points }
     }
 
