@@ -1,7 +1,8 @@
 //! Six sweeps.
 
+use crate::connected::{KnownEdge, of_connected};
 use crate::map::{CubicalArrangement, SideArrangement};
-use crate::pieces::{CubicalPieces, SidePieces, border_of, side_behind};
+use crate::pieces::{CORNERS_OF_BORDER, CubicalPieces, SidePieces, border_of, side_behind};
 use crate::stitch::{Patch, stitch};
 use arrangement::Arrangement;
 use arrangement::models::{Segment, SegmentTraits};
@@ -30,15 +31,51 @@ impl CubicalArrangement {
     ///
     /// The segment of the edge is directed as the arc.
     pub fn of_pieces_with_arcs(pieces: CubicalPieces) -> (Self, [Vec<Option<u32>>; 6]) {
+        Self::of_sides(pieces, sweep_side)
+    }
+
+    fn of_sides(
+        pieces: CubicalPieces,
+        make: impl Fn(CubeSide, SidePieces) -> (Patch, Vec<Option<u32>>),
+    ) -> (Self, ArcNumbers) {
         let mut arcs = ArcNumbers::default();
         let mut patches = Vec::with_capacity(6);
         for (side, pieces) in CubeSide::ALL.into_iter().zip(pieces.sides) {
-            let (patch, of_edges) = sweep_side(side, pieces);
+            let (patch, of_edges) = make(side, pieces);
             patches.push(patch);
             arcs[side.index()] = of_edges;
         }
         let patches = <[Patch; 6]>::try_from(patches).expect("a cube has six sides");
         (stitch(patches), arcs)
+    }
+
+    /// Makes the arrangement of arcs of which it is known how they meet, and tells which arc runs along each edge, as
+    /// [`CubicalArrangement::of_pieces_with_arcs`] does, but without a sweep.
+    ///
+    /// # Preconditions
+    /// The arcs were pushed between [ends](CubicalPieces::add_end), which are all different, and each of which is one of an arc. They meet in common ends
+    /// only. They are connected, and not all within one side; or there is none. There are no circles and no points. Debug builds check it.
+    ///
+    /// # Complexity
+    /// Linear, but for the order of the vertices: O(n log n).
+    ///
+    /// ```
+    /// use exact::spherical::{Direction, GreatCircle};
+    /// use splitstar_cubical::{CubicalArrangement, CubicalPieces};
+    /// let directions = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
+    /// let mut pieces = CubicalPieces::new();
+    /// let ends = directions.map(|p| pieces.add_end(&Direction::from_i64(p).expect("not zero")));
+    /// for i in 0..3 {
+    ///     let circle = GreatCircle::from_i64(directions[(i + 2) % 3]).expect("not zero");
+    ///     pieces.push_arc_between(&circle, ends[i], ends[(i + 1) % 3]);
+    /// }
+    /// let (triangle, _) = CubicalArrangement::of_connected_pieces_with_arcs(pieces.clone());
+    /// let counts = triangle.counts();
+    /// assert_eq!((counts.vertices, counts.edges, counts.faces), (3, 3, 2));
+    /// assert_eq!(triangle.counts_with_artificial(), CubicalArrangement::of_pieces(pieces).counts_with_artificial());
+    /// ```
+    pub fn of_connected_pieces_with_arcs(pieces: CubicalPieces) -> (Self, [Vec<Option<u32>>; 6]) {
+        Self::of_sides(pieces, |_, pieces| connect_side(pieces))
     }
 
     /// The cube without arcs: one face.
@@ -55,10 +92,11 @@ impl Default for CubicalArrangement {
 
 /// The arrangement of what is on one side, and the arcs of its edges.
 fn sweep_side(side: CubeSide, pieces: SidePieces) -> (Patch, Vec<Option<u32>>) {
-    let SidePieces { mut pieces, arcs, border_points, covered } = pieces;
+    let SidePieces { mut pieces, arcs, places, given, covered, .. } = pieces;
     let real = pieces.curves().len();
     for (border, covered) in covered.into_iter().enumerate() {
-        for segment in uncovered(side, border, covered) {
+        let covered = covered.into_iter().map(|ends| ends.map(|end| places[end as usize].clone()));
+        for segment in uncovered(side, border, covered.collect()) {
             pieces.push_curve(segment);
         }
     }
@@ -69,7 +107,40 @@ fn sweep_side(side: CubeSide, pieces: SidePieces) -> (Patch, Vec<Option<u32>>) {
     // What is artificial overlaps nothing; where several arcs overlap, the support is none of them.
     let is_real_edge = (0..edges).map(|e| !artificial.contains(&support(e))).collect();
     let of_edges = (0..edges).map(|e| arcs.get(support(e)).copied()).collect();
-    let is_given = given_on_border(&arrangement, border_points);
+    let given = given.into_iter().map(|place| places[place as usize].clone());
+    let is_given = given_on_border(&arrangement, given.collect());
+    (Patch { arrangement, is_real_edge, is_given }, of_edges)
+}
+
+/// The arrangement of arcs that meet in common ends only, and the arcs of its edges.
+fn connect_side(pieces: SidePieces) -> (Patch, Vec<Option<u32>>) {
+    let SidePieces { pieces, arcs, ends, places, on_border, given, covered } = pieces;
+    let (mut curves, _) = pieces.into_parts();
+    let real = curves.len();
+    let mut edges = Vec::with_capacity(real + on_border.iter().map(|places| places.len() + 1).sum::<usize>());
+    for (support, ([source, target], curve)) in (0..).zip(ends.into_iter().zip(&curves)) {
+        let ends = if curve.is_directed_right() { [source, target] } else { [target, source] };
+        edges.push(KnownEdge { support, ends });
+    }
+    for ((mut between, covered), [from, to]) in on_border.into_iter().zip(covered).zip(CORNERS_OF_BORDER) {
+        between.sort_unstable_by(|&p, &q| compare_xy(&places[p as usize], &places[q as usize]));
+        between.push(to);
+        let support = curves.len() as u32;
+        let mut at = from;
+        for place in between {
+            let ends = [std::mem::replace(&mut at, place), place];
+            if !covered.contains(&ends) {
+                edges.push(KnownEdge { support, ends });
+            }
+        }
+        let [from, to] = [from, to].map(|corner| places[corner as usize].clone());
+        curves.push(Segment::new(from, to).expect("corners are different"));
+    }
+    let (arrangement, ids) = of_connected(places, curves, &edges);
+    let mut is_given = vec![false; ids.len()];
+    given.into_iter().for_each(|place| is_given[ids[place as usize].index()] = true);
+    let is_real_edge = (0..edges.len()).map(|e| e < real).collect();
+    let of_edges = (0..edges.len()).map(|e| arcs.get(e).copied()).collect();
     (Patch { arrangement, is_real_edge, is_given }, of_edges)
 }
 

@@ -12,6 +12,7 @@
 //! | `pieces` | [`CubicalPieces`]: arcs, circles and points, cut along the edges of the cube |
 //! | `map` | [`CubicalArrangement`]: six arrangements, and how they are next to one another |
 //! | `build`, `stitch` | how it is made: six sweeps, then one walk along the edges of the cube |
+//! | `connected` | the arrangement of a side whose cells are known, without a sweep |
 //! | `view` | [`RealView`]: edges of the sphere, without artificial vertices; [counts](CubicalArrangement::counts) |
 //! | `overlay` | [`overlay_all`]: six overlays, with provenance |
 //! | `reflect` | [`CubicalArrangement::reflected`] |
@@ -40,6 +41,7 @@
 //! Thesis, section 3.3.
 
 mod build;
+mod connected;
 mod locate;
 mod map;
 mod overlay;

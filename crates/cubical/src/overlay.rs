@@ -1,7 +1,7 @@
 //! The overlay of maps: six overlays, then stitching.
 
 use crate::map::{At, CubicalArrangement, CubicalFaceId};
-use crate::stitch::{Patch, stitch};
+use crate::stitch::{Patch, border_cycle, stitch};
 use arrangement::overlay::{Cell, Provenance};
 use dcel::{EdgeId, FaceId, VertexId};
 use exact::gnomonic::CubeSide;
@@ -78,22 +78,19 @@ pub fn overlay_all(operands: &[&CubicalArrangement]) -> (CubicalArrangement, Cub
         let of_side: Vec<_> = operands.iter().map(|operand| operand.side(side)).collect();
         let (arrangement, provenance) = arrangement::overlay::overlay_all(&of_side);
         let dcel = arrangement.dcel();
-        let comes_from = |cells: &[Cell], is_real: &dyn Fn(&CubicalArrangement, Cell) -> bool| {
-            operands.iter().zip(cells).any(|(operand, &cell)| is_real(operand, cell))
-        };
+        let own: Vec<_> = operands.iter().map(|operand| &operand.sides[side.index()]).collect();
         let mut is_real_edge = vec![false; dcel.edge_bound()];
         for e in dcel.edges() {
-            is_real_edge[e.index()] = comes_from(
-                provenance.of_edge(e),
-                &|operand, cell| matches!(cell, Cell::Edge(id) if operand.is_real_edge(At { side, id })),
-            );
+            let mut cells = own.iter().zip(provenance.of_edge(e));
+            is_real_edge[e.index()] =
+                cells.any(|(own, &cell)| matches!(cell, Cell::Edge(id) if own.is_real_edge[id.index()]));
         }
+        // Those within the side are real anyhow.
         let mut is_given = vec![false; dcel.vertex_bound()];
-        for v in dcel.vertices() {
-            is_given[v.index()] = comes_from(
-                provenance.of_vertex(v),
-                &|operand, cell| matches!(cell, Cell::Vertex(id) if operand.is_real_vertex(At { side, id })),
-            );
+        for v in border_cycle(&arrangement).map(|h| dcel.source(h)) {
+            let mut cells = own.iter().zip(provenance.of_vertex(v));
+            is_given[v.index()] =
+                cells.any(|(own, &cell)| matches!(cell, Cell::Vertex(id) if own.is_real_vertex[id.index()]));
         }
         patches.push(Patch { arrangement, is_real_edge, is_given });
         provenances.push(provenance);

@@ -6,19 +6,60 @@ use exact::gnomonic::{CubeSide, Exit, SideSet};
 use exact::planar::{Point2, compare_xy};
 use exact::spherical::{Direction, GreatCircle, crossing_side};
 use exact::{Sign, gnomonic};
-use std::cmp::Ordering;
 
 /// What comes to one side of the cube.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug)]
 pub(crate) struct SidePieces {
     /// Segments; points of their own, and ends of arcs on edges of the cube.
     pub(crate) pieces: Pieces<SegmentTraits>,
     /// For each segment, the number of its arc.
     pub(crate) arcs: Vec<u32>,
-    /// Those of the points that are on the border of the square.
-    pub(crate) border_points: Vec<Point2>,
-    /// What arcs cover of the border, in the order of [`border_of`].
-    pub(crate) covered: [Vec<[Point2; 2]>; 4],
+    /// For each segment, its ends among the places: the source and the target.
+    pub(crate) ends: Vec<[u32; 2]>,
+    /// The four corners, ends of arcs, and where arcs pass over the border. Where arcs do not meet but in common ends, each is there once.
+    pub(crate) places: Vec<Point2>,
+    /// The places between the corners on each edge of the square, in the order of [`border_of`], unsorted.
+    pub(crate) on_border: [Vec<u32>; 4],
+    /// Those of the points and of the ends of arcs that are on the border.
+    pub(crate) given: Vec<u32>,
+    /// What arcs cover of the border, in the order of [`border_of`]: ends in lexicographic order.
+    pub(crate) covered: [Vec<[u32; 2]>; 4],
+}
+
+impl Default for SidePieces {
+    fn default() -> Self {
+        Self {
+            pieces: Pieces::new(),
+            arcs: Vec::new(),
+            ends: Vec::new(),
+            places: [[-1, -1], [-1, 1], [1, -1], [1, 1]].map(Point2::from_i64).to_vec(),
+            on_border: Default::default(),
+            given: Vec::new(),
+            covered: Default::default(),
+        }
+    }
+}
+
+impl SidePieces {
+    fn add_place(&mut self, place: Point2) -> u32 {
+        self.places.push(place);
+        u32::try_from(self.places.len() - 1).expect("fewer than 2^32 places")
+    }
+
+    fn add_border_place(&mut self, border: usize, place: Point2) -> u32 {
+        let number = self.add_place(place);
+        self.on_border[border].push(number);
+        number
+    }
+}
+
+/// The places of the corners at the ends of an edge of a square, the lesser one first.
+pub(crate) const CORNERS_OF_BORDER: [[u32; 2]; 4] = [[0, 1], [2, 3], [0, 2], [1, 3]];
+
+/// The place of a corner of the cube on a side. The corner lies on these sides.
+fn corner_on(side: CubeSide, sides: SideSet) -> u32 {
+    let [u, v] = side.axes().map(|axis| u32::from(sides.contains(CubeSide::new(axis, true))));
+    2 * u + v
 }
 
 /// The four edges of the square: u = -1, u = 1, v = -1, v = 1.
@@ -55,7 +96,7 @@ pub struct CubicalPieces {
     arc_count: u32,
     ends: Vec<End>,
     /// The places of all ends on their sides.
-    places: Vec<Point2>,
+    places: Vec<u32>,
 }
 
 /// Names an end of arcs: see [`CubicalPieces::add_end`].
@@ -84,6 +125,22 @@ impl CubicalPieces {
         Self::default()
     }
 
+    /// Makes what has no arc and no point, with room for about so many ends and arcs between them.
+    pub fn with_capacity(ends: usize, arcs: usize) -> Self {
+        let mut made = Self::new();
+        made.ends.reserve(ends);
+        made.places.reserve(ends);
+        for side in &mut made.sides {
+            // A little more than a sixth, because arcs are cut.
+            let segments = arcs / 4;
+            side.pieces.reserve(segments);
+            side.arcs.reserve(segments);
+            side.ends.reserve(segments);
+            side.places.reserve(ends / 4);
+        }
+        made
+    }
+
     /// The number of arcs and circles.
     pub fn arc_count(&self) -> usize {
         self.arc_count as usize
@@ -106,16 +163,25 @@ impl CubicalPieces {
     pub fn push_point(&mut self, point: &Direction) {
         let sides = CubeSide::of(point);
         for side in sides {
-            self.push_site(side, point_on(side, point), sides.count_sides() > 1);
+            let number = self.add_place(side, sides, point);
+            let pieces = &mut self.sides[side.index()];
+            pieces.pieces.push_point(pieces.places[number as usize].clone());
         }
     }
 
-    fn push_site(&mut self, side: CubeSide, place: Point2, is_on_border: bool) {
+    /// Adds the place of a point that lies on these sides to one of them.
+    fn add_place(&mut self, side: CubeSide, sides: SideSet, point: &Direction) -> u32 {
         let pieces = &mut self.sides[side.index()];
-        if is_on_border {
-            pieces.border_points.push(place.clone());
-        }
-        pieces.pieces.push_point(place);
+        let number = match sides.count_sides() {
+            1 => return pieces.add_place(point_on(side, point)),
+            2 => {
+                let other = sides.into_iter().find(|&other| other != side).expect("there are two");
+                pieces.add_border_place(border_of(side, other), point_on(side, point))
+            }
+            _ => corner_on(side, sides),
+        };
+        pieces.given.push(number);
+        number
     }
 
     /// Adds an end for arcs to come, and projects it to its sides: once, for any number of arcs.
@@ -124,11 +190,12 @@ impl CubicalPieces {
     pub fn add_end(&mut self, direction: &Direction) -> ArcEnd {
         let (sides, first_place) = (CubeSide::of(direction), self.places.len());
         for side in sides {
-            let place = point_on(side, direction);
+            let number = self.add_place(side, sides, direction);
             if sides.count_sides() > 1 {
-                self.push_site(side, place.clone(), true);
+                let pieces = &mut self.sides[side.index()];
+                pieces.pieces.push_point(pieces.places[number as usize].clone());
             }
-            self.places.push(place);
+            self.places.push(number);
         }
         let end = ArcEnd(u32::try_from(self.ends.len()).expect("fewer than 2^32 ends"));
         self.ends.push(End { direction: direction.clone(), sides, first_place });
@@ -136,10 +203,26 @@ impl CubicalPieces {
     }
 
     /// The place of an end on one of its sides.
-    fn place_of(&self, ArcEnd(end): ArcEnd, side: CubeSide) -> &Point2 {
+    fn place_of(&self, ArcEnd(end): ArcEnd, side: CubeSide) -> u32 {
         let End { sides, first_place, .. } = &self.ends[end as usize];
         let before = sides.take_while(|&other| other != side).count();
-        &self.places[first_place + before]
+        self.places[first_place + before]
+    }
+
+    /// Where a walk is, as a place of a side.
+    fn place_at(&self, stand: Stand, side: CubeSide) -> u32 {
+        match stand {
+            Stand::End(end) => self.place_of(end, side),
+            Stand::Corner(sides) => corner_on(side, sides),
+            Stand::Entered(place) => place,
+        }
+    }
+
+    /// Adds the place where an arc passes from one side to another, to both.
+    fn add_passage(&mut self, from: CubeSide, to: CubeSide, [here, there]: [Point2; 2]) -> [u32; 2] {
+        let here = self.sides[from.index()].add_border_place(border_of(from, to), here);
+        let there = self.sides[to.index()].add_border_place(border_of(to, from), there);
+        [here, there]
     }
 
     /// Appends a whole great circle. It has no vertex of its own.
@@ -150,12 +233,14 @@ impl CubicalPieces {
         let axis = (0..3).find(|&axis| circle.sign(axis).is_zero()).unwrap_or((far + 1) % 3);
         let first = CubeSide::new(axis, true);
         match first.exit(circle).expect("the circle passes through the side") {
-            Exit::Edge { to, there, .. } => {
-                self.walk(circle, Way::Across(to), there, Stop::AfterSide(first));
+            Exit::Edge { to, here, there } => {
+                let [_, there] = self.add_passage(first, to, [here, there]);
+                self.walk(circle, Way::Across(to), Stand::Entered(there), Stop::AfterSide(first));
             }
             Exit::Corner(corner) => {
-                let way = entered(circle, &corner, CubeSide::of(&corner));
-                self.walk(circle, way, point_on(way.first(), &corner), Stop::AfterSide(first));
+                let sides = CubeSide::of(&corner);
+                let way = entered(circle, &corner, sides);
+                self.walk(circle, way, Stand::Corner(sides), Stop::AfterSide(first));
             }
         }
         self.arc_count += 1;
@@ -177,33 +262,37 @@ impl CubicalPieces {
     pub fn push_arc_between(&mut self, circle: &GreatCircle, source: ArcEnd, target: ArcEnd) {
         let End { direction, sides, .. } = &self.ends[source.0 as usize];
         let way = entered(circle, direction, *sides);
-        let here = self.place_of(source, way.first()).clone();
-        self.walk(circle, way, here, Stop::At(target));
+        self.walk(circle, way, Stand::End(source), Stop::At(target));
         self.arc_count += 1;
     }
 
     /// Follows a circle from a point of the first side of a way.
-    fn walk(&mut self, circle: &GreatCircle, mut way: Way, mut here: Point2, stop: Stop) {
+    fn walk(&mut self, circle: &GreatCircle, mut way: Way, mut stand: Stand, stop: Stop) {
         let mut is_first = true;
         loop {
-            let end =
-                self.end_on(stop, way).filter(|end| !is_first || is_ahead(circle, way.first(), &here, end));
+            let side = way.first();
+            let here = self.place_at(stand, side);
+            let end = self.end_on(stop, way).filter(|&end| {
+                let places = &self.sides[side.index()].places;
+                !is_first || is_ahead(circle, side, &places[here as usize], &places[end as usize])
+            });
             is_first = false;
             match way {
                 Way::Across(side) => {
                     if let Some(end) = end {
-                        return self.push_segment(side, circle, here, end);
+                        return self.push_segment(side, circle, [here, end]);
                     }
                     let is_last = matches!(stop, Stop::AfterSide(last) if last == side);
                     match side.exit(circle).expect("the circle passes through the side") {
                         Exit::Edge { to, here: place, there } => {
-                            self.push_segment(side, circle, here, place);
-                            (way, here) = (Way::Across(to), there);
+                            let [place, there] = self.add_passage(side, to, [place, there]);
+                            self.push_segment(side, circle, [here, place]);
+                            (way, stand) = (Way::Across(to), Stand::Entered(there));
                         }
                         Exit::Corner(corner) => {
-                            self.push_segment(side, circle, here, point_on(side, &corner));
-                            way = entered(circle, &corner, CubeSide::of(&corner));
-                            here = point_on(way.first(), &corner);
+                            let sides = CubeSide::of(&corner);
+                            self.push_segment(side, circle, [here, corner_on(side, sides)]);
+                            (way, stand) = (entered(circle, &corner, sides), Stand::Corner(sides));
                         }
                     }
                     if is_last {
@@ -212,45 +301,62 @@ impl CubicalPieces {
                 }
                 Way::Along([side, other]) => {
                     let corner = corner_ahead(circle, side, other);
-                    let target = end.as_ref().map_or(corner.clone(), |end| side.direction_of(end));
-                    let source = side.direction_of(&here);
+                    let sides = CubeSide::of(&corner);
+                    let target = match stop {
+                        Stop::At(target) if end.is_some() => Stand::End(target),
+                        _ => Stand::Corner(sides),
+                    };
                     for [own, behind] in [[side, other], [other, side]] {
-                        let [source, target] = [&source, &target].map(|p| point_on(own, p));
-                        let ends = match compare_xy(&source, &target) {
-                            Ordering::Less => [source.clone(), target.clone()],
-                            _ => [target.clone(), source.clone()],
-                        };
-                        self.sides[own.index()].covered[border_of(own, behind)].push(ends);
-                        self.push_segment(own, circle, source, target);
+                        let [source, target] = [stand, target].map(|at| self.place_at(at, own));
+                        self.cover(own, border_of(own, behind), [source, target]);
+                        self.push_segment(own, circle, [source, target]);
                     }
                     if end.is_some() {
                         return;
                     }
-                    way = entered(circle, &corner, CubeSide::of(&corner));
-                    here = point_on(way.first(), &corner);
+                    (way, stand) = (entered(circle, &corner, sides), Stand::Corner(sides));
                 }
             }
         }
     }
 
     /// The place at which a walk is to stop, if it lies on the way.
-    fn end_on(&self, stop: Stop, way: Way) -> Option<Point2> {
+    fn end_on(&self, stop: Stop, way: Way) -> Option<u32> {
         let Stop::At(target) = stop else { return None };
         let sides = self.ends[target.0 as usize].sides;
         let is_on_way = match way {
             Way::Across(side) => sides.contains(side),
             Way::Along(both) => both.iter().all(|&side| sides.contains(side)),
         };
-        is_on_way.then(|| self.place_of(target, way.first()).clone())
+        is_on_way.then(|| self.place_of(target, way.first()))
     }
 
-    fn push_segment(&mut self, side: CubeSide, circle: &GreatCircle, source: Point2, target: Point2) {
-        let line = side.line_of(circle).expect("the circle passes through the side");
-        let segment = Segment::on_line(line, source, target).expect("a circle has a way through a side");
+    /// Notes that an arc covers a part of the border.
+    fn cover(&mut self, side: CubeSide, border: usize, [source, target]: [u32; 2]) {
         let pieces = &mut self.sides[side.index()];
+        let is_less = compare_xy(&pieces.places[source as usize], &pieces.places[target as usize]).is_lt();
+        pieces.covered[border].push(if is_less { [source, target] } else { [target, source] });
+    }
+
+    fn push_segment(&mut self, side: CubeSide, circle: &GreatCircle, ends: [u32; 2]) {
+        let line = side.line_of(circle).expect("the circle passes through the side");
+        let pieces = &mut self.sides[side.index()];
+        let [source, target] = ends.map(|end| pieces.places[end as usize].clone());
+        let segment = Segment::on_line(line, source, target).expect("a circle has a way through a side");
         pieces.pieces.push_curve(segment);
+        pieces.ends.push(ends);
         pieces.arcs.push(self.arc_count);
     }
+}
+
+/// Where a walk is.
+#[derive(Clone, Copy)]
+enum Stand {
+    End(ArcEnd),
+    /// At the corner of these sides.
+    Corner(SideSet),
+    /// At this place of the side that was entered.
+    Entered(u32),
 }
 
 /// Where a walk stops.

@@ -4,6 +4,7 @@ use crate::agree::{assert_agrees, map_of};
 use crate::random::geodesic;
 use arrangement::models::Geodesic;
 use arrangement::overlay::Cell;
+use dcel::FaceId;
 use splitstar_cubical::{At, CubeSide, CubicalArrangement, CubicalProvenance, overlay_all};
 use testkit::Rng;
 
@@ -65,20 +66,23 @@ fn a_reflection_is_the_arrangement_of_the_opposite_arcs() {
         let context = format!("seed {}", rng.state());
         let arcs = drawn(&mut rng, 1 + round % 3);
         let map = map_of(&arcs);
-        let (reflected, images) = map.reflected();
+        let reflected = map.reflected();
         let opposite: Vec<Geodesic> = arcs.iter().map(Geodesic::antipodal).collect();
         assert_agrees(&reflected, &opposite, &context);
         assert_eq!(reflected.counts_with_artificial(), map.counts_with_artificial(), "{context}");
-        let mut seen: Vec<_> = images.clone();
-        seen.sort_unstable();
-        assert!(seen.into_iter().eq(map.faces()), "{context}: every face has one image");
-        let (again, back) = reflected.reflected();
+        assert_eq!(reflected.check_valid(), [], "{context}");
+        for face in map.faces() {
+            let opposite = |part: At<FaceId>| At { side: part.side.opposite(), id: part.id };
+            let mut parts: Vec<_> = map.parts(face).map(opposite).collect();
+            parts.sort_unstable();
+            assert!(reflected.parts(face).eq(parts), "{context}: a face keeps its id");
+        }
+        let again = reflected.reflected();
         assert_agrees(&again, &arcs, &context);
-        // Faces are numbered in the order of sides and sweeps, so the map is the same again.
-        let twice: Vec<_> = back.iter().map(|face| images[face.index()]).collect();
-        for (face, &old) in again.faces().zip(&twice) {
-            let [a, b] = [again.parts(face).count(), map.parts(old).count()];
-            assert_eq!(a, b, "{context}: a face has as many parts again");
+        for side in CubeSide::ALL {
+            let point = |map: &CubicalArrangement, v| map.side(side).point(v).cloned();
+            let mut vertices = map.side(side).dcel().vertices();
+            assert!(vertices.all(|v| point(&again, v) == point(&map, v)), "{context}: all is as it was");
         }
     }
 }

@@ -1,7 +1,7 @@
-//! The structure seen from the other side of the surface, and vertices that exchange their ids.
+//! The structure seen from the other side of the surface, and vertices and halfedges that exchange their ids.
 
-use super::{Dcel, Halfedge, VertexState};
-use crate::{HalfedgeId, VertexId};
+use super::{Dcel, Halfedge, VertexCell, VertexState};
+use crate::{EdgeId, HalfedgeId, VertexId};
 
 impl Dcel {
     /// Gives the mirror image. All cells keep their ids; the order around each vertex is the reverse, so a halfedge has on its left the face that it had
@@ -38,6 +38,46 @@ impl Dcel {
             mirrored.ccbs[c.index()].first = self.ccb_halfedge(c).twin();
         }
         mirrored
+    }
+
+    /// Exchanges the ids of the two halfedges of some edges. Nothing else changes.
+    ///
+    /// # Complexity
+    /// Linear.
+    ///
+    /// ```
+    /// use splitstar_dcel::{CcbKind::Inner, Dcel, FaceId};
+    /// let mut path = Dcel::new();
+    /// let [a, b, c] = [(); 3].map(|()| path.add_vertex());
+    /// let first = path.insert_edge_in_face(a, b, FaceId(0), Inner).halfedge();
+    /// let second = path.insert_edge_from(first, c).halfedge();
+    /// path.turn_edges(|e| e == first.edge_id());
+    /// assert_eq!([path.source(first), path.source(second)], [b, b]);
+    /// assert_eq!(path.next(first.twin()), second);
+    /// # assert!(path.check_valid().is_empty());
+    /// ```
+    pub fn turn_edges(&mut self, is_turned: impl Fn(EdgeId) -> bool) {
+        let is_turned: Vec<bool> = (0..self.edge_bound()).map(|e| is_turned(EdgeId::new(e))).collect();
+        // What is none stays none.
+        let new_id = |h: HalfedgeId| match is_turned.get(h.edge()) {
+            Some(true) => h.twin(),
+            _ => h,
+        };
+        for halfedge in &mut self.halfedges {
+            halfedge.next = new_id(halfedge.next);
+            halfedge.prev = new_id(halfedge.prev);
+        }
+        for e in (0..is_turned.len()).filter(|&e| is_turned[e]) {
+            self.halfedges.swap(2 * e, 2 * e + 1);
+        }
+        for ccb in &mut self.ccbs {
+            ccb.first = new_id(ccb.first);
+        }
+        for vertex in &mut self.vertices {
+            if let VertexState::Attached(h) = vertex.state() {
+                *vertex = VertexCell(new_id(h).0);
+            }
+        }
     }
 
     /// Exchanges the ids of two vertices. Nothing else changes.

@@ -33,7 +33,8 @@ pub struct Line2 {
 
 #[derive(Clone)]
 enum Repr {
-    Narrow { bits: u8, line: NarrowLine },
+    // In 32 bits, because copies of a byte with the gap after it are slow.
+    Narrow { bits: u32, line: NarrowLine },
     Wide(Arc<WideLine>),
 }
 
@@ -61,6 +62,12 @@ impl NarrowLine {
     #[inline(always)]
     fn new(a: i64, b: i64, c: i128) -> Self {
         Self { a, b, c: [c as u64, (c >> 64) as u64] }
+    }
+
+    /// The image under (x, y) -> (-y, -x), as narrow as the line.
+    pub(super) fn reflected_at_antidiagonal(&self) -> Self {
+        let (a, b, c) = (-self.b, -self.a, self.c());
+        if b < 0 || (b == 0 && a > 0) { Self::new(-a, -b, -c) } else { Self::new(a, b, c) }
     }
 
     #[inline(always)]
@@ -181,7 +188,7 @@ impl Line2 {
             return Self::wide([a, b, c].map(Integer::from));
         }
         let line = NarrowLine::new(a as i64, b as i64, c);
-        Self { approx_c: c as f64, repr: Repr::Narrow { bits: bits as u8, line } }
+        Self { approx_c: c as f64, repr: Repr::Narrow { bits, line } }
     }
 
     /// Coprime integers that are not all narrow, with any sign.
@@ -196,7 +203,10 @@ impl Line2 {
     /// The image under (x, y) -> (-y, -x).
     pub(crate) fn reflected_at_antidiagonal(&self) -> Self {
         match &self.repr {
-            Repr::Narrow { line, .. } => Self::of_coprime(-i128::from(line.b), -i128::from(line.a), line.c()),
+            Repr::Narrow { bits, line } => {
+                let line = line.reflected_at_antidiagonal();
+                Self { approx_c: line.c() as f64, repr: Repr::Narrow { bits: *bits, line } }
+            }
             Repr::Wide(line) => {
                 let [a, b, c] = &line.coefficients;
                 Self::wide([-b, -a, c.clone()])
@@ -213,7 +223,7 @@ impl Line2 {
     #[inline(always)]
     pub(super) fn as_narrow(&self) -> Option<(&NarrowLine, u32)> {
         match &self.repr {
-            Repr::Narrow { bits, line } => Some((line, u32::from(*bits))),
+            Repr::Narrow { bits, line } => Some((line, *bits)),
             Repr::Wide(_) => None,
         }
     }

@@ -41,7 +41,8 @@ pub(super) enum Repr {
     /// x, y and the positive weight w, below 2^61 in magnitude.
     Explicit([i64; 3]),
     /// Two lines, the one with the lesser slope first, so that W is positive; both have at most `bits` (see [`super`]).
-    Crossing { bits: u8, lines: [NarrowLine; 2] },
+    // In 32 bits, because copies of a byte with the gap after it are slow.
+    Crossing { bits: u32, lines: [NarrowLine; 2] },
     /// X, Y and the positive weight W.
     Wide(Arc<[Integer; 3]>),
 }
@@ -215,7 +216,7 @@ impl Point2 {
         {
             return Some(Self::from_i64([i, j]));
         }
-        Some(Self::new(approx, error, Repr::Crossing { bits: bits as u8, lines: [*l, *m] }))
+        Some(Self::new(approx, error, Repr::Crossing { bits, lines: [*l, *m] }))
     }
 
     /// In fixed width: W < 2^125, |X|, |Y| < 2^187.
@@ -236,7 +237,7 @@ impl Point2 {
         {
             return Some(Self::from_i64([i, j]));
         }
-        Some(Self::new(approx, error, Repr::Crossing { bits: bits as u8, lines }))
+        Some(Self::new(approx, error, Repr::Crossing { bits, lines }))
     }
 
     #[cold]
@@ -301,9 +302,11 @@ impl Point2 {
         let approx = [0.0 - y, 0.0 - x];
         let repr = match &self.repr {
             Repr::Explicit([x, y, w]) => Repr::Explicit([-y, -x, *w]),
-            Repr::Crossing { lines, .. } => {
-                let [l, m] = lines.each_ref().map(|line| Line2::of_narrow(line).reflected_at_antidiagonal());
-                return Self::crossing(&l, &m).expect("lines that cross still do after a reflection");
+            Repr::Crossing { bits, lines } => {
+                let [l, m] = lines.each_ref().map(NarrowLine::reflected_at_antidiagonal);
+                // The slopes become their inverses.
+                let is_in_order = i128::from(l.a) * i128::from(m.b) > i128::from(m.a) * i128::from(l.b);
+                Repr::Crossing { bits: *bits, lines: if is_in_order { [l, m] } else { [m, l] } }
             }
             Repr::Wide(homogeneous) => {
                 let [x, y, w] = &**homogeneous;

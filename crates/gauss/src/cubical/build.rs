@@ -2,9 +2,10 @@
 
 use super::CubicalGaussianMap;
 use cubical::{ArcEnd, At, CubeSide, CubicalArrangement, CubicalPieces};
-use dcel::{EdgeId, HalfedgeId, Mesh};
+use dcel::{HalfedgeId, Mesh};
+use exact::Point3;
 use exact::spherical::{Direction, GreatCircle};
-use polytope::{Facets, PolygonMesh, Polytope, convex_hull};
+use polytope::{Facets, Polytope, convex_hull};
 
 impl CubicalGaussianMap {
     /// Makes the Gaussian map of a polytope.
@@ -17,7 +18,7 @@ impl CubicalGaussianMap {
     pub fn of_polytope(polytope: &Polytope) -> Self {
         let mesh = polytope.mesh();
         let circles: Vec<GreatCircle> = mesh.edges().map(|h| circle_of(polytope, h)).collect();
-        let mut pieces = CubicalPieces::new();
+        let mut pieces = CubicalPieces::with_capacity(mesh.facet_count(), circles.len());
         let normals: Vec<ArcEnd> = match polytope.dimension() {
             0 | 1 => Vec::new(),
             _ => {
@@ -36,28 +37,28 @@ impl CubicalGaussianMap {
             }
             ends.push([mesh.target(h), mesh.source(h)].map(|v| &polytope.points()[v.index()]));
         }
-        let (arrangement, arcs) = CubicalArrangement::of_pieces_with_arcs(pieces);
+        // Arcs meet in normals of facets only; a circle has none.
+        let (arrangement, arcs) = match polytope.dimension() {
+            1 => CubicalArrangement::of_pieces_with_arcs(pieces),
+            _ => CubicalArrangement::of_connected_pieces_with_arcs(pieces),
+        };
         // Without arcs there is one face, and one point.
-        let mut points = vec![polytope.points()[0].clone(); arrangement.face_count()];
-        let mut is_known = vec![false; points.len()];
+        let mut points: Vec<Option<&Point3>> = vec![None; arrangement.face_count()];
         for side in CubeSide::ALL {
-            for (e, arc) in arcs[side.index()].iter().enumerate() {
-                let Some(arc) = *arc else { continue };
-                let e = EdgeId::new(e);
-                let is_right = arrangement.side(side).curve_of(e).is_directed_right();
-                let along = if is_right { e.halfedge() } else { e.halfedge().twin() };
-                for (id, &point) in [along, along.twin()].into_iter().zip(&ends[arc as usize]) {
-                    let h = At { side, id };
-                    if arrangement.is_outer(h) {
-                        continue;
-                    }
-                    let face = arrangement.face(h).index();
-                    if !std::mem::replace(&mut is_known[face], true) {
-                        points[face] = point.clone();
-                    }
+            let own = arrangement.side(side);
+            for id in own.dcel().faces() {
+                let Some(face) = arrangement.face_of(At { side, id }) else { continue };
+                let point = &mut points[face.index()];
+                if let (None, Some(ccb)) = (&point, own.dcel().first_ccb(id)) {
+                    *point = own.dcel().ccb_cycle(ccb).find_map(|h| {
+                        let arc = arcs[side.index()][h.edge()]?;
+                        let is_along = own.curve_of(h.edge_id()).is_directed_right() == h.is_even();
+                        Some(ends[arc as usize][usize::from(!is_along)])
+                    });
                 }
             }
         }
+        let points = points.into_iter().map(|point| point.unwrap_or(&polytope.points()[0]).clone()).collect();
         Self { arrangement, points }
     }
 
@@ -74,14 +75,19 @@ impl CubicalGaussianMap {
         let mut cycle = Vec::new();
         for v in self.arrangement.real_vertices() {
             cycle.clear();
-            cycle.extend(self.arrangement.real_around(v).map(|h| self.arrangement.face(h).0));
+            let face = |h| self.arrangement.face(h).0;
+            let side = v.side;
+            match self.arrangement.next_copy(v) {
+                // Within its side, there is nothing artificial.
+                None => {
+                    let around = self.arrangement.side(side).dcel().around(v.id);
+                    cycle.extend(around.map(|id| face(At { side, id })));
+                }
+                Some(_) => cycle.extend(self.arrangement.real_around(v).map(face)),
+            }
             facets.push(&cycle);
         }
-        let mut notes = Vec::new();
-        let mesh = PolygonMesh { points: self.points.clone(), facets };
-        let polytope = Polytope::from_mesh(&mesh, &mut notes);
-        debug_assert!(notes.is_empty(), "{notes:?}");
-        polytope.expect("a Gaussian map is that of a polytope")
+        Polytope::from_trusted_facets(self.points.clone(), &facets)
     }
 }
 

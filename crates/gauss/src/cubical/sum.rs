@@ -2,7 +2,7 @@
 
 use super::CubicalGaussianMap;
 use cubical::{CubicalArrangement, overlay_all};
-use exact::{Adder, Affine3, Point3};
+use exact::{Adder, Point3};
 use polytope::Polytope;
 
 impl CubicalGaussianMap {
@@ -56,7 +56,7 @@ impl CubicalGaussianMap {
     /// Makes the Gaussian map of the polytope reflected through the origin, from the map itself.
     ///
     /// # Complexity
-    /// That of six sweeps over edges that do not meet: O(n log n).
+    /// Linear.
     ///
     /// ```
     /// use exact::Point3;
@@ -68,14 +68,17 @@ impl CubicalGaussianMap {
     /// assert!(reflected.make_polytope().same_set(&tetrahedron.reflected()));
     /// ```
     pub fn reflected(&self) -> Self {
-        let (arrangement, images) = self.arrangement.reflected();
-        let minus = Affine3::reflection();
-        let points = images.into_iter().map(|face| minus.apply(self.point(face))).collect();
-        Self { arrangement, points }
+        let points = self.points.iter().map(opposite).collect();
+        Self { arrangement: self.arrangement.reflected(), points }
     }
 }
 
 fn sum_of<'a>(mut points: impl Iterator<Item = &'a Point3>, adder: &mut Adder) -> Point3 {
     let first = points.next().expect("there are summands").clone();
     points.fold(first, |sum, point| adder.sum(&sum, point))
+}
+
+fn opposite(p: &Point3) -> Point3 {
+    let [x, y, z, weight] = p.homogeneous();
+    Point3::new([-x, -y, -z], weight).expect("a weight is positive")
 }
