@@ -4,6 +4,7 @@
 //! on a cube; `random` has arcs of small coordinates, so that all of that happens at once; `laws` are about overlays and reflections; `table` is table 3.1 of the thesis.
 
 mod agree;
+mod ends;
 mod laws;
 mod random;
 mod rows;
