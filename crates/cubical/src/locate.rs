@@ -22,7 +22,11 @@ impl CubicalArrangement {
     /// Finds the real vertex, the real edge or the face in which a direction lies.
     ///
     /// # Complexity
-    /// That of a walk along a vertical line of the side, without preparation.
+    /// O(n) for n edges of the side, because nothing is prepared: the walk along a vertical line begins at the border of the side, and reads
+    /// the whole boundary of every face through which it comes.
+    ///
+    /// For many queries, keep a structure for each side: a strategy of [`arrangement::location`] works with [`CubicalArrangement::side`] as
+    /// with any arrangement.
     ///
     /// ```
     /// use exact::spherical::{Direction, GreatCircle};
@@ -33,6 +37,32 @@ impl CubicalArrangement {
     /// let [on, above, below, corner] = [[1, 1, 0], [5, 2, 1], [0, 0, -1], [1, 1, 1]].map(|p| map.locate(&Direction::from_i64(p).expect("not zero")));
     /// assert!(matches!(on, CubicalCell::Edge(_)));
     /// assert!(above == corner && above != below);
+    /// ```
+    ///
+    /// Many queries, with six k-d trees of landmarks:
+    ///
+    /// ```
+    /// use arrangement::location::{Landmarks, PointLocation};
+    /// use arrangement::overlay::Cell;
+    /// use exact::spherical::{Direction, GreatCircle};
+    /// use splitstar_cubical::{At, CubeSide, CubicalArrangement, CubicalCell, CubicalPieces};
+    /// let mut pieces = CubicalPieces::new();
+    /// for normal in [[1, 2, 3], [3, -1, 2], [0, 0, 1]] {
+    ///     pieces.push_circle(&GreatCircle::from_i64(normal).expect("not zero"));
+    /// }
+    /// let map = CubicalArrangement::of_pieces(pieces);
+    /// let landmarks = CubeSide::ALL.map(|side| Landmarks::new(map.side(side)));
+    /// for i in 0..100 {
+    ///     let query = Direction::from_i64([i - 40, 7, 3 * i % 20 - 11]).expect("not zero");
+    ///     let side = CubeSide::of(&query).first();
+    ///     let point = side.point_of(&query).expect("the direction lies on the side");
+    ///     let cell = landmarks[side.index()].locate(map.side(side), &point)?;
+    ///     if let Cell::Face(id) = cell {
+    ///         let face = map.face_of(At { side, id }).expect("a direction does not lie outside of the cube");
+    ///         assert_eq!(map.locate(&query), CubicalCell::Face(face));
+    ///     }
+    /// }
+    /// # Ok::<(), arrangement::edit::Stale>(())
     /// ```
     pub fn locate(&self, p: &Direction) -> CubicalCell {
         let side = CubeSide::of(p).first();

@@ -1,10 +1,10 @@
 //! Arcs, circles and points of the sphere, cut along the edges of the cube.
 
 use arrangement::Pieces;
-use arrangement::models::{Geodesic, Segment, SegmentTraits};
+use arrangement::models::{Geodesic, GeodesicError, Segment, SegmentTraits};
 use exact::gnomonic::{CubeSide, Exit, SideSet};
 use exact::planar::{Point2, compare_xy};
-use exact::spherical::{Direction, GreatCircle, crossing_side};
+use exact::spherical::{Direction, GreatCircle, crossing_side, side_of_circle};
 use exact::{Sign, gnomonic};
 
 /// What comes to one side of the cube.
@@ -153,7 +153,9 @@ impl CubicalPieces {
     pub fn push_geodesic(&mut self, geodesic: &Geodesic) {
         match (geodesic.as_point(), geodesic.great_circle(), geodesic.source(), geodesic.target()) {
             (Some(point), ..) => self.push_point(point),
-            (_, Some(circle), Some(source), Some(target)) => self.push_arc(circle, source, target),
+            (_, Some(circle), Some(source), Some(target)) => {
+                self.push_arc(circle, source, target).expect("a geodesic ends on its own circle");
+            }
             (_, Some(circle), ..) => self.push_circle(circle),
             (_, None, ..) => unreachable!("what is no point has a circle"),
         }
@@ -248,35 +250,63 @@ impl CubicalPieces {
 
     /// Appends the arc of a circle from one point to another, in the sense of the circle; the whole circle, with a vertex, if they are equal.
     ///
-    /// # Preconditions
-    /// Both points lie on the circle: debug builds check it.
-    pub fn push_arc(&mut self, circle: &GreatCircle, source: &Direction, target: &Direction) {
+    /// # Errors
+    /// [`GeodesicError::NotOnCircle`] if one of the points is not on the circle. Then nothing is appended.
+    ///
+    /// ```
+    /// use arrangement::models::GeodesicError;
+    /// use exact::spherical::{Direction, GreatCircle};
+    /// use splitstar_cubical::CubicalPieces;
+    /// let equator = GreatCircle::from_i64([0, 0, 1]).expect("not zero");
+    /// let [p, q, pole] = [[1, 0, 0], [0, 1, 0], [0, 0, 1]].map(|p| Direction::from_i64(p).expect("not zero"));
+    /// let mut pieces = CubicalPieces::new();
+    /// assert_eq!(pieces.push_arc(&equator, &p, &q), Ok(()));
+    /// assert_eq!(pieces.push_arc(&equator, &p, &pole), Err(GeodesicError::NotOnCircle));
+    /// assert_eq!(pieces.arc_count(), 1);
+    /// ```
+    pub fn push_arc(
+        &mut self,
+        circle: &GreatCircle,
+        source: &Direction,
+        target: &Direction,
+    ) -> Result<(), GeodesicError> {
+        if [source, target].iter().any(|end| !side_of_circle(end, circle).is_zero()) {
+            return Err(GeodesicError::NotOnCircle);
+        }
         let [source, target] = [source, target].map(|end| self.add_end(end));
-        self.push_arc_between(circle, source, target);
+        self.append_arc(circle, source, target);
+        Ok(())
     }
 
     /// Appends the arc of a circle from one end to another, as [`CubicalPieces::push_arc`] does.
     ///
     /// # Panics
-    /// If an end is of other pieces, perhaps; debug builds: if one is not on the circle.
+    /// If an end is not on the circle, or is one of other pieces that is not there.
     pub fn push_arc_between(&mut self, circle: &GreatCircle, source: ArcEnd, target: ArcEnd) {
+        let is_on_circle =
+            |end: &ArcEnd| side_of_circle(&self.ends[end.0 as usize].direction, circle).is_zero();
+        assert!([source, target].iter().all(is_on_circle), "both ends of an arc lie on its circle");
+        self.append_arc(circle, source, target);
+    }
+
+    /// Appends an arc whose ends are known to be on its circle.
+    fn append_arc(&mut self, circle: &GreatCircle, source: ArcEnd, target: ArcEnd) {
         let End { direction, sides, .. } = &self.ends[source.0 as usize];
         let way = entered(circle, direction, *sides);
         self.walk(circle, way, Stand::End(source), Stop::At(target));
         self.arc_count += 1;
     }
 
-    /// Follows a circle from a point of the first side of a way.
+    /// Follows a circle from a point of the first side of a way, up to a place on the circle.
     fn walk(&mut self, circle: &GreatCircle, mut way: Way, mut stand: Stand, stop: Stop) {
-        let mut is_first = true;
-        loop {
+        // A circle runs through six sides at most, and once more through the first one if it stops behind its begin.
+        for step in 0..7 {
             let side = way.first();
             let here = self.place_at(stand, side);
             let end = self.end_on(stop, way).filter(|&end| {
                 let places = &self.sides[side.index()].places;
-                !is_first || is_ahead(circle, side, &places[here as usize], &places[end as usize])
+                step > 0 || is_ahead(circle, side, &places[here as usize], &places[end as usize])
             });
-            is_first = false;
             match way {
                 Way::Across(side) => {
                     if let Some(end) = end {
@@ -318,6 +348,7 @@ impl CubicalPieces {
                 }
             }
         }
+        panic!("a walk around a circle comes to every place on it within seven segments");
     }
 
     /// The place at which a walk is to stop, if it lies on the way.

@@ -4,6 +4,7 @@ use crate::map::{At, CubicalArrangement};
 use arrangement::Violation;
 use dcel::{EdgeId, VertexId};
 use exact::gnomonic::CubeSide;
+use exact::spherical::GreatCircle;
 use std::error::Error;
 use std::fmt;
 
@@ -21,7 +22,7 @@ pub enum CubicalViolation {
     Across(At<EdgeId>),
     /// Some copies of a cell are real, and others are not.
     RealEdge(At<EdgeId>),
-    /// A vertex is real and should not be, or is not and should be.
+    /// A vertex is real and should not be, or is not and should be: so is an artificial one where an arc does not run straight on.
     RealVertex(At<VertexId>),
     /// The two faces next to an artificial edge are different ones of the sphere.
     Face(At<EdgeId>),
@@ -147,9 +148,15 @@ impl CubicalArrangement {
         if is_on_border && around != copies.iter().map(|copy| copy.side).collect::<Vec<_>>() {
             return Err(CubicalViolation::Copies(v));
         }
-        let real = self.real_around(v).count();
+        let real: Vec<GreatCircle> = self.real_around(v).map(|h| self.circle(h)).collect();
         let is_real = self.is_real_vertex(v);
-        let must_be_real = !is_on_border || real > 2 || real == 1;
+        // An arc that only passes leaves on both sides along the same circle, in opposite senses.
+        let may_be_artificial = match &real[..] {
+            [] => true,
+            [one, other] => *one == other.opposite(),
+            _ => false,
+        };
+        let must_be_real = !is_on_border || !may_be_artificial;
         if copies.iter().any(|&copy| self.is_real_vertex(copy) != is_real) || (must_be_real && !is_real) {
             return Err(CubicalViolation::RealVertex(v));
         }
@@ -174,7 +181,7 @@ impl CubicalArrangement {
 mod tests {
     use super::*;
     use crate::{CubicalFaceId, CubicalPieces};
-    use exact::spherical::{Direction, GreatCircle};
+    use exact::spherical::Direction;
 
     /// A circle, and a point at a corner that is not on it.
     fn map() -> CubicalArrangement {
@@ -243,6 +250,30 @@ mod tests {
             |found| matches!(found, CubicalViolation::Face(_)),
         );
         assert_found(|map| map.face_count += 1, |found| matches!(found, CubicalViolation::Euler));
+    }
+
+    /// An arc that ends where another one begins, on an edge of the cube, is not one that passes.
+    #[test]
+    fn an_artificial_vertex_at_a_bend_is_found() {
+        let [p, bend, straight, q] =
+            [[3, 1, 0], [1, 1, 0], [1, 3, 0], [1, 3, 1]].map(|p| Direction::from_i64(p).expect("not zero"));
+        for (end, is_straight) in [(&straight, true), (&q, false)] {
+            let mut pieces = CubicalPieces::new();
+            for [from, to] in [[&p, &bend], [&bend, end]] {
+                let circle = GreatCircle::through(from, to).expect("neither equal nor antipodal");
+                assert_eq!(pieces.push_arc(&circle, from, to), Ok(()));
+            }
+            let mut map = CubicalArrangement::of_pieces(pieces);
+            assert_eq!(map.check_valid(), []);
+            let found: Vec<_> = map.vertices_of_sides().filter(|&v| map.direction(v) == bend).collect();
+            assert_eq!(found.len(), 2, "on an edge of the cube");
+            for v in &found {
+                map.sides[v.side.index()].is_real_vertex[v.id.index()] = false;
+            }
+            let expected = found.into_iter().map(CubicalViolation::RealVertex);
+            let expected: Vec<_> = if is_straight { Vec::new() } else { expected.collect() };
+            assert_eq!(map.check_valid(), expected);
+        }
     }
 
     #[test]

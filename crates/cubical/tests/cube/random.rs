@@ -45,12 +45,45 @@ fn arcs_of_small_coordinates() {
     }
 }
 
+/// An arc with a wide normal and an end at a corner of the cube or on an edge of it.
+fn wide_from_border(rng: &mut Rng, range: i64) -> Geodesic {
+    loop {
+        let size = 1 + rng.below(range as u64) as i64;
+        let mut end = [(); 3].map(|()| if rng.one_in(2) { size } else { -size });
+        if rng.one_in(2) {
+            end[rng.below(3) as usize] = rng.within(size);
+        }
+        let [end, other] = [end, vector(rng, range)].map(direction);
+        let Some(circle) = GreatCircle::through(&end, &other) else { continue };
+        let [source, target] = if rng.one_in(2) { [end, other] } else { [other, end] };
+        let circle = if rng.one_in(2) { circle.opposite() } else { circle };
+        return Geodesic::arc_around(source, target, circle).expect("on the circle");
+    }
+}
+
+const WIDE: [i64; 4] = [1 << 20, 1 << 31, 1 << 45, i64::MAX / 4];
+
 #[test]
 fn wide_arcs() {
     let mut rng = Rng::new(0x0c0b_e31d);
-    for range in [1 << 20, 1 << 31, 1 << 45, i64::MAX / 4] {
-        let seed = rng.state();
+    for round in 0..200 {
+        let (seed, range) = (rng.state(), WIDE[round % 4]);
         let geodesics: Vec<Geodesic> = (0..6).map(|_| geodesic(&mut rng, range)).collect();
+        assert_agrees(&map_of(&geodesics), &geodesics, &format!("seed {seed}, range {range}"));
+    }
+}
+
+#[test]
+fn wide_arcs_from_edges_and_corners_of_the_cube() {
+    let mut rng = Rng::new(0x0c0b_e31e);
+    for round in 0..200 {
+        let (seed, range) = (rng.state(), WIDE[round % 4]);
+        let mut geodesics: Vec<Geodesic> = (0..4).map(|_| wide_from_border(&mut rng, range)).collect();
+        // Several at one place.
+        let [p, r] = [0, 1].map(|i: usize| geodesics[i].source().expect("an arc has ends").clone());
+        if let Ok(arc) = Geodesic::arc(p, r) {
+            geodesics.push(arc);
+        }
         assert_agrees(&map_of(&geodesics), &geodesics, &format!("seed {seed}, range {range}"));
     }
 }

@@ -69,7 +69,7 @@ impl SphericalGaussianMap {
         }
         let sides = |h| [mesh.target(h), mesh.source(h)].map(|v| v.0);
         let arcs = mesh.edges().zip(geodesics).map(|(h, geodesic)| MapArc { geodesic, sides: sides(h) });
-        Self::of_arcs(traits, arcs, polytope.points())
+        Self::of_arcs(traits, arcs, polytope.points(), 0)
     }
 
     /// Gives the same map on a sphere with another identification: its arcs, put together where they were cut, are cut and swept over again.
@@ -95,11 +95,18 @@ impl SphericalGaussianMap {
             };
             MapArc { geodesic, sides: [first, first.twin()].map(|h| dcel.face(h).0) }
         });
-        Self::of_arcs(traits, arcs, &self.points)
+        // Edits of an arrangement leave numbers free: that of the only face need not be 0.
+        let only = dcel.faces().next().expect("an arrangement has a face");
+        Self::of_arcs(traits, arcs, &self.points, only.0)
     }
 
-    /// The map of arcs that are known to meet in ends only; without arcs, of the first point.
-    fn of_arcs(traits: GeodesicTraits, arcs: impl Iterator<Item = MapArc>, points: &[Point3]) -> Self {
+    /// The map of arcs that are known to meet in ends only; `only` is the number of the point of the only face, if there is no arc.
+    fn of_arcs(
+        traits: GeodesicTraits,
+        arcs: impl Iterator<Item = MapArc>,
+        points: &[Point3],
+        only: u32,
+    ) -> Self {
         let mut pieces = Pieces::new();
         // For each piece, the sides of its arc.
         let mut sides: Vec<[u32; 2]> = Vec::new();
@@ -111,7 +118,7 @@ impl SphericalGaussianMap {
         }
         let arrangement = Arrangement::of_pieces(traits, Sphere, pieces);
         let dcel = arrangement.dcel();
-        let mut extreme = vec![0; dcel.face_bound()];
+        let mut extreme = vec![only; dcel.face_bound()];
         for e in dcel.edges() {
             // Pieces are supports, because they do not overlap.
             let support = arrangement.support(e);

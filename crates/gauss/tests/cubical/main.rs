@@ -5,3 +5,4 @@ mod features;
 mod models;
 mod random;
 mod table;
+mod violations;

@@ -1,6 +1,7 @@
 //! Polytopes of all dimensions, with normals at the poles and on the identification.
 
-use crate::features::{check, check_maps, check_sum, hull, point};
+use crate::features::{check, check_maps, check_sum, hull, identification, point};
+use arrangement::Editor;
 use exact::{Point3, Rational};
 use polytope::Polytope;
 use splitstar_gauss::SphericalGaussianMap;
@@ -100,4 +101,26 @@ fn wide_rational_points_stay_exact() {
     check_maps(&p, "wide");
     check_sum(&p, &q, "wide");
     check_sum(&p, &q.reflected(), "wide, reflected");
+}
+
+/// Without arcs, the only face need not have the number 0, and points of faces that are no more mean nothing.
+#[test]
+fn a_map_that_was_edited_is_reidentified() {
+    let [p, q] = [[1, 2, 3], [4, 4, 4]];
+    let map = SphericalGaussianMap::of_polytope(&hull(&[p, q]));
+    let (arrangement, points) = map.into_parts();
+    let mut editor = Editor::new(arrangement);
+    let edges: Vec<_> = editor.dcel().edges().collect();
+    editor.remove_edges(&edges);
+    let (arrangement, ()) = editor.finish();
+    assert_eq!((arrangement.dcel().face_count(), arrangement.dcel().face_bound()), (1, 2));
+    let face = arrangement.dcel().faces().next().expect("an arrangement has a face");
+    let expected = Polytope::point(points[face.index()].clone());
+    let others = Point3::from_i64([100, 100, 100]);
+    let points = (0..2).map(|i| if i == face.index() { points[i].clone() } else { others.clone() }).collect();
+    let edited = SphericalGaussianMap::try_from_parts(arrangement, points).expect("the map of a point");
+    check(&edited, &expected, "edited");
+    let again = edited.reidentified(identification([2, 3]));
+    check(&again, &expected, "edited and identified anew");
+    check(&again.minkowski_sum(&edited), &polytope::minkowski_sum(&[&expected, &expected]), "its double");
 }
