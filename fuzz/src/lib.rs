@@ -13,10 +13,7 @@ mod swept_again;
 use exact::Rational;
 use exact::spherical::Direction;
 use splitstar_arrangement::models::GeodesicTraits;
-use splitstar_formats::{
-    CurveFile, CurvePoint, Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write,
-    write_curves,
-};
+use splitstar_formats::{CurveFile, CurvePoint, Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
 use splitstar_formats::{SphereCurve, read_sphere_curves, read_sphere_points, write_sphere_curves};
 use splitstar_formats::{StarArrangement, read_arrangement, read_points, write_arrangement};
 use splitstar_formats::{read_gaussian_map, write_gaussian_map};
@@ -35,11 +32,9 @@ pub fn check(bytes: &[u8], file_name: &str) {
             return;
         }
     };
-    let text =
-        write(&model, &WriteOptions::new(Format::Star)).expect("the native format holds every model").bytes;
+    let text = write(&model, &WriteOptions::new(Format::Star)).expect("the native format holds every model").bytes;
     let again = read(&text, None).expect("what was written can be read").model;
-    let twice =
-        write(&again, &WriteOptions::new(Format::Star)).expect("the native format holds every model").bytes;
+    let twice = write(&again, &WriteOptions::new(Format::Star)).expect("the native format holds every model").bytes;
     assert_eq!(String::from_utf8_lossy(&text), String::from_utf8_lossy(&twice));
     for format in Format::ALL {
         check_written(&model, format);
@@ -133,10 +128,7 @@ fn check_arrangement_of(CurveFile { mut curves, period, .. }: CurveFile) {
 
 /// As for models: a number may have more digits, written out, than may be read.
 fn is_long(curve: &InputCurve) -> bool {
-    points_of(curve)
-        .iter()
-        .flat_map(|point| point.coordinates())
-        .any(|number| number.to_string().len() > 1_000)
+    points_of(curve).iter().flat_map(|point| point.coordinates()).any(|number| number.to_string().len() > 1_000)
 }
 
 fn points_of(curve: &InputCurve) -> &[CurvePoint] {
@@ -196,8 +188,7 @@ fn check_message(message: &str) {
 fn check_sphere_arrangement_of(mut curves: Vec<SphereCurve>) {
     let make = |curves: &[SphereCurve], identification: [i64; 2]| {
         let traits = GeodesicTraits::with_identification(identification.map(Into::into));
-        let made =
-            StarArrangement::of_sphere_curves(curves.to_vec(), traits.expect("a direction is not zero"));
+        let made = StarArrangement::of_sphere_curves(curves.to_vec(), traits.expect("a direction is not zero"));
         made.unwrap_or_else(|error| panic!("curves that were read have an arrangement: {error}"))
     };
     let [first, turned] = [[-1, 0], [2, 1]].map(|identification| make(&curves, identification));
@@ -223,8 +214,8 @@ fn is_long_on_sphere(curve: &SphereCurve) -> bool {
     }
 }
 
-/// Reads bytes as a Gaussian map. A message must be one short line; a map must come back with the text that it is given, and be a model, as far as
-/// memory is allowed for it.
+/// Reads bytes as a Gaussian map. A message must be one short line; a map must come back with the text that it is given, and be a model, as far
+/// as memory is allowed for it.
 pub fn check_gaussian_map(bytes: &[u8]) {
     let map = match read_gaussian_map(bytes, None) {
         Ok(map) => map,
@@ -276,8 +267,7 @@ pub fn check_arrangement(bytes: &[u8]) {
 }
 
 /// Whether a file is run again: then the steps are printed.
-static PRINTS: LazyLock<bool> =
-    LazyLock::new(|| std::env::args().skip(1).any(|word| Path::new(&word).is_file()));
+static PRINTS: LazyLock<bool> = LazyLock::new(|| std::env::args().skip(1).any(|word| Path::new(&word).is_file()));
 
 /// Runs bytes as a script of edits, after each of which everything is checked.
 pub fn check_edits(bytes: &[u8]) {

@@ -60,32 +60,6 @@ fn prism(sides: i64, offset: &str) -> Polytope {
 fn reading_is_within_the_bound() {
     let sphere = Polytope::from_mesh(&geodesic_sphere(24, 9), &mut Vec::new()).unwrap();
     let text = |map: StarGaussianMap| String::from_utf8(write_gaussian_map(&map)).unwrap();
-    // TEMPORARY
-    for (n, o) in [(20_000, "0"), (8_000, "1e16"), (3_000, "1e60")] {
-        for cube in [false, true] {
-            let p = prism(n, o);
-            forget_peak();
-            let a = peak();
-            let hull = convex_hull(p.points()).unwrap();
-            let b = peak();
-            let map: StarGaussianMap = if cube {
-                CubicalGaussianMap::of_polytope(&hull).into()
-            } else {
-                SphericalGaussianMap::of_polytope(&hull).into()
-            };
-            let c = peak();
-            let t = write_gaussian_map(&map);
-            let d = peak();
-            let e = hull.counts().edges as u64;
-            println!(
-                "{n} {o} {cube}: edges {e}; per edge: hull {} map {} write {} text {}",
-                (b - a) / e,
-                (c - b) / e,
-                (d - c) / e,
-                t.len() as u64 / e
-            );
-        }
-    }
     let texts = [
         ("whole map on the sphere", text(SphericalGaussianMap::of_polytope(&sphere).into())),
         ("whole map on a cube", text(CubicalGaussianMap::of_polytope(&sphere).into())),
