@@ -16,7 +16,6 @@ use crate::star::arrangement::read_sphere;
 use crate::star::door::read_star;
 use crate::star::first::{StarKind, read_first_line};
 use crate::star::line::{Line, Lines};
-use arrangement::models::GeodesicTraits;
 use exact::Point3;
 use gauss::{CubicalGaussianMap, SphericalGaussianMap};
 // tidy: convex_hull, because a map is that of the hull of the points of its faces
