@@ -21,7 +21,6 @@ use polytope::Polytope;
 /// A Gaussian map of any kind that a star file can hold.
 #[derive(Clone, Debug)]
 #[non_exhaustive]
-#[expect(clippy::large_enum_variant, reason = "a file has one map, which is far larger than this on the heap")]
 pub enum StarGaussianMap {
     /// On the sphere.
     Spherical(SphericalGaussianMap),
