@@ -1,4 +1,4 @@
-//! Prints for two to five summands how many facets their sum has and how many it can have: they meet.
+//! Prints for two to five summands how many facets their sum has and how many it can have, and checks that they meet.
 
 #![allow(clippy::print_stdout, reason = "the table is what the program is for")]
 
@@ -26,7 +26,8 @@ fn main() -> Result<(), MaximalError> {
         let summands = maximal_summands(row)?;
         let sum = minkowski_sum(&summands.iter().collect::<Vec<_>>());
         let facets = row.iter().map(ToString::to_string).collect::<Vec<_>>().join(" ");
-        let bound = max_facets(row).map_or("none".to_owned(), |bound| bound.to_string());
+        let bound = max_facets(row).expect("the bounds of the rows are small");
+        assert_eq!(sum.counts().facets, bound, "{facets}");
         println!("{:2}  {facets:24} {:6} {bound:>6}", row.len(), sum.counts().facets);
     }
     Ok(())

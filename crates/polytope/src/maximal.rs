@@ -65,8 +65,8 @@ use crate::{Facets, Polytope};
 use exact::{Affine3, Integer, Point3, Quaternion};
 use std::fmt;
 
-/// The greatest number of facets, and of summands, of the family: beyond it a mesh has no numbers left.
-const LIMIT: usize = 1 << 28;
+/// The greatest number of facets together, and of summands, of the family: what is made takes less than some GiB.
+const LIMIT: usize = 1 << 20;
 
 /// Why there is no such polytope of the maximal family.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -74,9 +74,9 @@ const LIMIT: usize = 1 << 28;
 pub enum MaximalError {
     /// A solid with this number of facets was asked for; it has at least four.
     TooFewFacets(usize),
-    /// More than 2^28 facets were asked for.
+    /// More than 2^20 facets were asked for, of one solid or of all summands together.
     TooManyFacets(usize),
-    /// The family was asked for more than 2^28 summands.
+    /// The family was asked for more than 2^20 summands.
     TooManySummands(usize),
 }
 
@@ -84,8 +84,8 @@ impl fmt::Display for MaximalError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::TooFewFacets(facets) => write!(f, "a solid has at least 4 facets, not {facets}"),
-            Self::TooManyFacets(facets) => write!(f, "{facets} facets are more than 2^28"),
-            Self::TooManySummands(summands) => write!(f, "{summands} summands are more than 2^28"),
+            Self::TooManyFacets(facets) => write!(f, "{facets} facets are more than 2^20"),
+            Self::TooManySummands(summands) => write!(f, "{summands} summands are more than 2^20"),
         }
     }
 }
@@ -112,16 +112,17 @@ impl std::error::Error for MaximalError {}
 /// # References
 /// Thesis, theorem 4.1.
 pub fn max_facets(facets: &[usize]) -> Option<usize> {
-    // The products of all pairs, each number with the sum of those before it.
-    let (mut total, mut before) = (0_usize, 0_usize);
-    for (i, &m) in facets.iter().enumerate() {
-        if m < 4 {
-            return None;
-        }
-        let arcs = m.checked_mul(2)? - 5;
-        let crossings = arcs.checked_mul(before)?.checked_add(i)?;
-        total = total.checked_add(crossings)?.checked_add(m)?;
-        before = before.checked_add(arcs)?;
+    if facets.iter().any(|&m| m < 4) {
+        return None;
+    }
+    let arcs = |m: usize| (m - 3).checked_mul(2)?.checked_add(1);
+    // The products of all pairs, each number with the sum of those before it. Without a pair nothing is multiplied, so that only
+    // a sum that is too large overflows.
+    let (mut total, mut before) = (*facets.first().unwrap_or(&0), 0_usize);
+    for (i, pair) in facets.windows(2).enumerate() {
+        before = before.checked_add(arcs(pair[0])?)?;
+        let crossings = arcs(pair[1])?.checked_mul(before)?.checked_add(i + 1)?;
+        total = total.checked_add(crossings)?.checked_add(pair[1])?;
     }
     Some(total)
 }
@@ -139,7 +140,7 @@ pub fn max_facets(facets: &[usize]) -> Option<usize> {
 /// ```
 ///
 /// # Errors
-/// [`MaximalError`] if `facets` is below 4, or one of the numbers above 2^28.
+/// [`MaximalError`] if `facets` is below 4, or one of the numbers above 2^20.
 ///
 /// # Complexity
 /// Linear.
@@ -147,17 +148,28 @@ pub fn max_facets(facets: &[usize]) -> Option<usize> {
 /// # References
 /// Thesis, section 4.2.
 pub fn maximal_polytope(facets: usize, summands: usize) -> Result<Polytope, MaximalError> {
-    if facets < 4 {
-        return Err(MaximalError::TooFewFacets(facets));
+    check_numbers(&[facets], summands)?;
+    let n = (facets - 3) as u32;
+    Ok(Polytope::from_convex_facets(vertices(n, summands.max(2) as u32), &cycles(n)))
+}
+
+/// Checks that there are polytopes with so many facets each, for so many summands, and that they are not too large together.
+fn check_numbers(facets: &[usize], summands: usize) -> Result<(), MaximalError> {
+    if let Some(&few) = facets.iter().find(|&&m| m < 4) {
+        return Err(MaximalError::TooFewFacets(few));
     }
-    if facets > LIMIT {
-        return Err(MaximalError::TooManyFacets(facets));
+    if let Some(&many) = facets.iter().find(|&&m| m > LIMIT) {
+        return Err(MaximalError::TooManyFacets(many));
     }
     if summands > LIMIT {
         return Err(MaximalError::TooManySummands(summands));
     }
-    let n = (facets - 3) as u32;
-    Ok(Polytope::from_convex_facets(vertices(n, summands.max(2) as u32), &cycles(n)))
+    // No overflow: there are at most 2^20, of at most 2^20 each.
+    let together: u64 = facets.iter().map(|&m| m as u64).sum();
+    if together > LIMIT as u64 {
+        return Err(MaximalError::TooManyFacets(usize::try_from(together).unwrap_or(usize::MAX)));
+    }
+    Ok(())
 }
 
 /// The vertices l, c(-n), ..., c(n).
@@ -209,7 +221,7 @@ fn cycles(n: u32) -> Facets {
 /// ```
 ///
 /// # Errors
-/// [`MaximalError`] if one of the numbers is below 4 or above 2^28, or there are more than 2^28.
+/// [`MaximalError`] if one of the numbers is below 4, or all together, or the number of summands, are above 2^20.
 ///
 /// # Complexity
 /// Linear in the numbers of facets. The module's source has the proof.
@@ -218,6 +230,7 @@ fn cycles(n: u32) -> Facets {
 /// Thesis, section 4.3.
 pub fn maximal_summands(facets: &[usize]) -> Result<Vec<Polytope>, MaximalError> {
     let k = facets.len();
+    check_numbers(facets, k)?;
     let summand = |(i, &m): (usize, &usize)| {
         let half_turn = [k - i, 0, i, 0].map(Integer::from);
         let turn = Quaternion::new(half_turn).expect("i is below k");

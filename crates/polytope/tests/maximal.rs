@@ -38,7 +38,22 @@ fn the_bound_by_its_formulas() {
     for large in [usize::MAX, usize::MAX / 2, usize::MAX / 3] {
         assert_eq!(max_facets(&[large, large]), None);
     }
-    assert_eq!(max_facets(&[usize::MAX / 2]), Some(usize::MAX / 2));
+}
+
+/// The arcs of a summand matter only if another follows.
+#[test]
+fn the_bound_overflows_only_if_it_is_too_large() {
+    for large in [usize::MAX / 2, usize::MAX / 2 + 1, usize::MAX - 1, usize::MAX] {
+        assert_eq!(max_facets(&[large]), Some(large));
+        assert_eq!(max_facets(&[large, 4]), None);
+        assert_eq!(max_facets(&[4, large]), None);
+    }
+    // With a tetrahedron, m facets make 7 m - 10.
+    let most = usize::MAX / 7 + 1;
+    assert_eq!(max_facets(&[4, most]), Some(7 * (most - 2) + 4));
+    assert_eq!(max_facets(&[most, 4]), Some(7 * (most - 2) + 4));
+    assert_eq!(max_facets(&[4, most + 1]), None);
+    assert_eq!(max_facets(&[most + 1, 4]), None);
 }
 
 #[test]
@@ -172,7 +187,7 @@ fn vertices_are_integers_and_distinct() {
     let expected = [[0, 0, 0], [24, 30, 0], [-36, -42, -1], [-84, -84, 0]].map(Point3::from_i64);
     let points: HashSet<String> = p.points().iter().map(Point3::to_string).collect();
     assert_eq!(points, expected.iter().map(Point3::to_string).collect());
-    let wide = maximal_polytope(2_000, 1 << 28).expect("the numbers are in range");
+    let wide = maximal_polytope(2_000, 1 << 20).expect("the numbers are in range");
     assert_eq!(wide.counts().facets, 2_000);
 }
 
@@ -182,10 +197,14 @@ fn numbers_out_of_range_are_refused() {
         assert_eq!(maximal_polytope(m, 2).err(), Some(MaximalError::TooFewFacets(m)));
         assert_eq!(maximal_summands(&[5, m]).err(), Some(MaximalError::TooFewFacets(m)));
     }
-    for huge in [(1 << 28) + 1, usize::MAX] {
+    for huge in [(1 << 20) + 1, 1 << 28, usize::MAX] {
         assert_eq!(maximal_polytope(huge, 2).err(), Some(MaximalError::TooManyFacets(huge)));
         assert_eq!(maximal_polytope(5, huge).err(), Some(MaximalError::TooManySummands(huge)));
+        assert_eq!(maximal_summands(&[5, huge]).err(), Some(MaximalError::TooManyFacets(huge)));
     }
+    // What is refused together takes no memory before.
+    let together = Some(MaximalError::TooManyFacets(3 << 19));
+    assert_eq!(maximal_summands(&[1 << 19; 3]).err(), together);
     assert_eq!(maximal_summands(&[]).expect("no summand is no error").len(), 0);
     assert_eq!(MaximalError::TooFewFacets(3).to_string(), "a solid has at least 4 facets, not 3");
 }

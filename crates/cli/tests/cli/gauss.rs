@@ -23,6 +23,7 @@ fn all_methods_give_one_polytope() {
     for (names, expected) in rows {
         let models: Vec<String> = names.iter().map(|name| model(name)).collect();
         let mut first: Option<Value> = None;
+        let mut first_vertices: Option<Vec<String>> = None;
         for method in METHODS {
             let out = folder.path(&format!("{method}.off"));
             let mut words = vec!["sum"];
@@ -38,6 +39,17 @@ fn all_methods_give_one_polytope() {
                 let first = first.get_or_insert_with(|| object.clone());
                 assert_eq!(object[key], first[key], "{names:?} by {method}");
             }
+            // The order of vertices may depend on the method; their lines have three words, those of facets more.
+            let text = folder.read("hull.off");
+            let mut vertices: Vec<String> =
+                text.lines().filter(|line| line.split(' ').count() == 3).map(str::to_owned).collect();
+            vertices.sort_unstable();
+            assert!(vertices.len() as u64 >= expected[0], "{text}");
+            assert_eq!(
+                first_vertices.get_or_insert_with(|| vertices.clone()),
+                &vertices,
+                "{names:?} by {method}"
+            );
         }
     }
 }

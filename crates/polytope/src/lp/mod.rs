@@ -22,6 +22,7 @@ use directions::Directions;
 use exact::{Adder, Point3};
 use program::Program;
 use std::collections::HashMap;
+use std::hash::{BuildHasher, RandomState};
 
 /// The same sum as [`minkowski_sum`](crate::minkowski_sum) by linear programming, all summands at once:
 /// the edges at a vertex of the sum are found among the edges of the summands at its vertices, one exact
@@ -83,10 +84,13 @@ struct Candidate {
 struct Traversal<'a> {
     summands: &'a [&'a Polytope],
     directions: Directions,
-    /// Every vertex by its tuple of vertices of the summands.
-    met: HashMap<Box<[u32]>, u32>,
-    /// The tuples one after the other.
+    /// The tuples of vertices of the summands one after the other, one for each vertex.
     tuples: Vec<u32>,
+    hasher: RandomState,
+    /// For each hash of a tuple, the last vertex with it: tuples are stored once only.
+    met: HashMap<u64, u32>,
+    /// For each vertex the one before with the same hash.
+    same_hash: Vec<Option<u32>>,
     /// The rays of all visited vertices; those of one vertex by increasing direction.
     rays: Vec<Ray>,
     /// Where the rays of each visited vertex begin, and where the last ones end.
@@ -100,25 +104,32 @@ impl<'a> Traversal<'a> {
             let least = (1..points.len()).fold(0, |v, w| if points[w] < points[v] { w } else { v });
             u32::try_from(least).expect("a polytope has fewer than 2^32 vertices")
         };
-        let tuple: Vec<u32> = summands.iter().map(least).collect();
-        Self {
+        let mut traversal = Self {
             summands,
             directions: Directions::of(summands),
-            met: HashMap::from([(tuple.clone().into_boxed_slice(), 0)]),
-            tuples: tuple,
+            tuples: Vec::new(),
+            hasher: RandomState::new(),
+            met: HashMap::new(),
+            same_hash: Vec::new(),
             rays: Vec::new(),
             starts: vec![0],
-        }
+        };
+        traversal.meet(&summands.iter().map(least).collect::<Vec<u32>>());
+        traversal
     }
 
     /// Visits every vertex in the order in which they were met.
     fn traverse(&mut self) {
         let mut candidates = Vec::new();
         let mut visited = 0;
-        while visited < self.met.len() {
+        while visited < self.vertex_count() {
             self.visit(visited, &mut candidates);
             visited += 1;
         }
+    }
+
+    fn vertex_count(&self) -> usize {
+        self.same_hash.len()
     }
 
     fn tuple(&self, v: usize) -> &[u32] {
@@ -185,11 +196,14 @@ impl<'a> Traversal<'a> {
 
     /// The vertex of a tuple, a new one if it was not met before.
     fn meet(&mut self, tuple: &[u32]) -> u32 {
-        if let Some(&v) = self.met.get(tuple) {
+        let hash = self.hasher.hash_one(tuple);
+        let last = self.met.get(&hash).copied();
+        let mut candidates = std::iter::successors(last, |&v| self.same_hash[v as usize]);
+        if let Some(v) = candidates.find(|&v| self.tuple(v as usize) == tuple) {
             return v;
         }
-        let v = u32::try_from(self.met.len()).expect("a sum has fewer than 2^32 vertices");
-        self.met.insert(tuple.into(), v);
+        let v = u32::try_from(self.vertex_count()).expect("a sum has fewer than 2^32 vertices");
+        self.same_hash.push(self.met.insert(hash, v));
         self.tuples.extend_from_slice(tuple);
         v
     }
@@ -208,6 +222,6 @@ impl<'a> Traversal<'a> {
             let Some((first, _)) = terms.next() else { return Point3::ORIGIN };
             terms.fold(first.clone(), |sum, (point, adder)| adder.sum(&sum, point))
         };
-        (0..self.met.len()).map(&mut point).collect()
+        (0..self.vertex_count()).map(&mut point).collect()
     }
 }

@@ -16,11 +16,10 @@ use crate::star::arrangement::read_sphere;
 use crate::star::door::read_star;
 use crate::star::first::{StarKind, read_first_line};
 use crate::star::line::{Line, Lines};
-use arrangement::models::GeodesicTraits;
 use exact::Point3;
 use gauss::{CubicalGaussianMap, SphericalGaussianMap};
 // tidy: convex_hull, because a map is that of the hull of the points of its faces
-use polytope::convex_hull as hull_of;
+use polytope::{Polytope, convex_hull as hull_of};
 
 /// Reads a Gaussian map from a file of the native format, kind `gaussian`: see `docs/star.md`. Gzip may be around it.
 ///
@@ -64,12 +63,21 @@ pub(in crate::star) fn read_polytope(bytes: &[u8], budget: &mut Budget) -> Resul
     })
 }
 
-/// For each face, the cells of the map around it, and their text, while coordinates are short.
-const OF_FACE: u64 = 8 << 10;
-/// For each byte of the line of a point: the coordinates of cells have several times the digits of the points.
-const OF_BYTE: u64 = 256;
+/// For each point of the file: the list of them, their hull with the lists from which it is made, the points of the map.
+const OF_POINT: u64 = 512;
+/// So often is a point that takes something on the heap there: in the file's list, in the hull, in the map, and in its text.
+const COPIES: u64 = 4;
+/// For each edge of the hull, its arcs on the sphere or the cube with their ends, and the text of all of them, while numbers are short.
+const OF_EDGE: u64 = 3 << 10;
+/// For each bit of the vector of an edge that is not short: the normals at its ends have twice the bits, and each is stored and written
+/// a few times, with three coordinates.
+const OF_BIT: u64 = 64;
+/// The bits of a vector that takes nothing on the heap, nor do the normals made of it.
+const SHORT: u32 = 30;
 
 const SECOND: &str = "the second line `surface sphere DX DY` or `surface cube`";
+const ENDS_BEFORE: &str =
+    "the map of the hull of all `primal` points ends before this line; remove it, or make the map again";
 const SURFACE: &str = "`sphere` or `cube`";
 
 fn read_text(bytes: &[u8], budget: &mut Budget) -> Result<StarGaussianMap, Located> {
@@ -89,21 +97,30 @@ fn read_text(bytes: &[u8], budget: &mut Budget) -> Result<StarGaussianMap, Locat
     };
     line.end()?;
     let (points, end) = read_points(&mut lines, budget)?;
-    let map = map_of(&points, sphere).ok_or_else(|| {
+    let hull = hull_of(&points).ok_or_else(|| {
         malformed(end, "the file has no `primal`: write the vertex of the polytope behind each face".into())
     })?;
     drop(points);
+    charge_map(&hull, budget).at_line(end)?;
+    let map = match sphere {
+        Some(traits) => SphericalGaussianMap::of_polytope_with(&hull, traits).into(),
+        None => CubicalGaussianMap::of_polytope(&hull).into(),
+    };
+    drop(hull);
     compare(bytes, &write_gaussian_map(&map))?;
     Ok(map)
 }
 
-/// The map of the hull of points; `None` if there is no point.
-fn map_of(points: &[Point3], sphere: Option<GeodesicTraits>) -> Option<StarGaussianMap> {
-    let hull = hull_of(points)?;
-    Some(match sphere {
-        Some(traits) => SphericalGaussianMap::of_polytope_with(&hull, traits).into(),
-        None => CubicalGaussianMap::of_polytope(&hull).into(),
-    })
+/// Takes what the map of a polytope and its text need. Where the polytope lies does not matter: cells have the digits of edge vectors.
+fn charge_map(hull: &Polytope, budget: &mut Budget) -> Result<(), Fault> {
+    for h in hull.mesh().edges() {
+        let bits = match hull.edge_vector(h).bits() {
+            0..=SHORT => 0,
+            bits => OF_BIT * u64::from(bits),
+        };
+        budget.charge(OF_EDGE + bits)?;
+    }
+    Ok(())
 }
 
 /// Reads the points of all faces, up to the end of the file, and gives the line of `end`.
@@ -125,10 +142,11 @@ fn read_points(lines: &mut Lines<'_>, budget: &mut Budget) -> Result<(Vec<Point3
                 let [x, y, z] = words;
                 let words = [x?, y?, z?];
                 line.end()?;
-                let bytes: usize = words.iter().map(|word| word.bytes.len()).sum();
-                budget.charge(OF_FACE + OF_BYTE * bytes as u64).at_line(word.line)?;
                 let [x, y, z] = words.map(read_coordinate);
-                points.push(point([x?, y?, z?]));
+                let point = point([x?, y?, z?]);
+                let wide = if point.as_narrow().is_some() { 0 } else { COPIES * wide_bytes(&point) };
+                budget.charge(OF_POINT + wide).at_line(word.line)?;
+                points.push(point);
             }
             _ => {}
         }
@@ -141,13 +159,15 @@ fn read_points(lines: &mut Lines<'_>, budget: &mut Budget) -> Result<(Vec<Point3
 
 /// Finds the first line of a file that is not that of the text which it should be.
 fn compare(file: &[u8], text: &[u8]) -> Result<(), Located> {
-    let (mut found, mut wanted) = (Lines::new(file), Lines::new(text));
+    let (mut file, mut text) = (Lines::new(file), Lines::new(text));
     loop {
-        match (found.next_record(), wanted.next_record()) {
+        match (file.next_record(), text.next_record()) {
             (None, None) => return Ok(()),
             (Some(found), Some(wanted)) => compare_lines(found, wanted)?,
-            // Both end with `end`, which stands once in each.
-            _ => unreachable!("one of two texts with one `end` is not longer"),
+            (Some((found, _)), None) => return Err(malformed(found.line, ENDS_BEFORE.into())),
+            (None, Some((wanted, rest))) => {
+                return Err(Fault::Malformed { why: sentence(vec![wanted], rest) }.at(file.last()));
+            }
         }
     }
 }
@@ -164,20 +184,18 @@ fn compare_lines(
             (Some(is), Some(must)) if is.bytes == must.bytes => before.push(must),
             (_, must) => {
                 before.extend(must);
-                while let Some(word) = wanted.word() {
-                    before.push(word);
-                }
-                return Err(malformed(first.line, sentence(&before)));
+                return Err(malformed(first.line, sentence(before, wanted)));
             }
         }
         (word, should) = (found.word(), wanted.word());
     }
 }
 
-/// What is said of a line that is not this one.
-fn sentence(line: &[Token<'_>]) -> String {
+/// What is said of a line that is not this one, of which the first words are given, and the rest.
+fn sentence<'a>(mut line: Vec<Token<'a>>, mut rest: Line<'a>) -> String {
     /// So many words of a line are shown.
     const MANY: usize = 8;
+    line.extend(std::iter::from_fn(|| rest.word()));
     let shown: Vec<String> = line.iter().take(MANY).map(Token::shown).collect();
     let rest = if line.len() > MANY { " ..." } else { "" };
     format!(
@@ -188,4 +206,21 @@ fn sentence(line: &[Token<'_>]) -> String {
 
 fn malformed(line: u32, why: String) -> Located {
     Fault::Malformed { why }.at(Place::Line(line))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Each of two texts may be the longer one, whatever is known of how they end.
+    #[test]
+    fn a_text_that_ends_early_is_malformed() {
+        let [short, long] = [b"face 0\n".as_slice(), b"face 0\nface 1 # more\n"];
+        assert!(compare(short, short).is_ok());
+        for (file, text, line) in [(short, long, 1), (long, short, 2), (b"", short, 0)] {
+            let error = compare(file, text).expect_err("the texts differ");
+            assert_eq!(error.place, Some(Place::Line(line)));
+            assert!(matches!(error.fault, Fault::Malformed { .. }));
+        }
+    }
 }
