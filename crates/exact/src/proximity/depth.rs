@@ -267,7 +267,6 @@ impl DepthCap {
     // Where rounding takes an f less than t for a greater one, cos f is at most cos t + 28 u: so t - f is at most 2^-25, since t is
     // at least 2^-22, and cos(f - t) is at least 1 - 3 u: in all 30, and `ERROR` is 32. Near t = pi that does not happen, as the length is rounded up.
     // To take an f greater than t for a smaller one only makes the bound less.
-    #[inline]
     pub fn least_depth(&self, point: &DepthPoint) -> DepthBounds {
         if crate::stage::are_boxes_skipped() {
             return DepthBounds::UNKNOWN;

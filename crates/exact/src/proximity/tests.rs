@@ -233,7 +233,6 @@ fn bounds_of_caps_are_not_above_the_depth_seen_from_anywhere() {
             }
         }
     }
-    println!("{told} of {count} bounds");
     assert!(told > count * 3 / 5, "{told} of {count}");
 }
 

@@ -30,6 +30,8 @@ fn compare(pair: &pairs::Pair, count: usize) -> Census {
     let mut rng = Rng::new(seed);
     let mut census = Census::default();
     let mut places = [0_usize; 3];
+    let [mut deep, mut overlapping_deep] = [0_usize; 2];
+    let solids = [p, q].map(|polytope| Solid::<Integer>::new(polytope, &scale));
     let mut hints = [None; 2];
     for number in 0..count {
         let state = rng.state();
