@@ -16,6 +16,7 @@ use splitstar_arrangement::models::GeodesicTraits;
 use splitstar_formats::{CurveFile, CurvePoint, Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
 use splitstar_formats::{SphereCurve, read_sphere_curves, read_sphere_points, write_sphere_curves};
 use splitstar_formats::{StarArrangement, read_arrangement, read_points, write_arrangement};
+use splitstar_formats::{FilePlacement, read_placements};
 use splitstar_formats::{read_gaussian_map, write_gaussian_map};
 use std::ops::ControlFlow;
 use std::path::Path;
@@ -87,6 +88,34 @@ pub fn check_curves(bytes: &[u8]) {
     }
     if file.curves.len() <= 12 && bytes.len() <= 500 && !file.curves.iter().any(is_long) {
         check_arrangement_of(file);
+    }
+}
+
+/// Reads bytes as a file of placements. A message must be one short line; placements must come back as they were.
+pub fn check_placements(bytes: &[u8]) {
+    let placements = match read_placements(bytes, None) {
+        Ok(placements) => placements,
+        Err(error) => {
+            let message = error.to_string();
+            assert!(message.len() < 600 && !message.contains(char::is_control), "{message:?}");
+            return;
+        }
+    };
+    let mut text = String::new();
+    for FilePlacement { translation, rotation } in &placements {
+        let numbers: Vec<String> = translation.coordinates().iter().map(ToString::to_string).collect();
+        let turned = rotation.iter().flat_map(|q| q.components().each_ref().map(ToString::to_string));
+        text += &numbers.into_iter().chain(turned).collect::<Vec<_>>().join(" ");
+        text.push('\n');
+    }
+    match read_placements(text.as_bytes(), None) {
+        Ok(again) => assert_eq!(again, placements),
+        Err(error) => {
+            let is_long = |placement: &FilePlacement| {
+                placement.translation.bits() > 1_000 || placement.rotation.as_ref().is_some_and(|q| q.bits() > 1_000)
+            };
+            assert!(placements.iter().any(is_long), "what was written cannot be read: {error}");
+        }
     }
 }
 

@@ -71,3 +71,19 @@ fn memory_is_in_proportion_to_the_file() {
     let text = "1 0 0\n".repeat(1 << 20);
     assert_eq!(read_placements(text.as_bytes(), None).expect("small numbers").len(), 1 << 20);
 }
+
+/// The seeds of the fuzz target `placements`: four of them are read.
+#[test]
+fn seeds_of_the_fuzz_target() {
+    let folder = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../fuzz/seeds/placements");
+    let mut read = Vec::new();
+    for seed in std::fs::read_dir(folder).expect("the seeds are there") {
+        let path = seed.expect("an entry").path();
+        let bytes = std::fs::read(&path).expect("a file");
+        if read_placements(&bytes, None).is_ok() {
+            read.push(path.file_name().expect("a name").to_string_lossy().into_owned());
+        }
+    }
+    read.sort();
+    assert_eq!(read, ["mixed", "packed", "rotations", "translations"]);
+}

@@ -88,8 +88,10 @@ impl Cells {
             }
         }
         for digits in [2, 5, 10, 20, 40] {
-            let grid = greatest.log2().ceil() - f64::from(digits);
-            let grid = grid.exp2();
+            // A power of two: the exponent of the greatest coordinate, less so many. It is the same on every machine.
+            let exponent = (greatest.to_bits() >> 52) + 1;
+            let Some(exponent @ 1..2047) = exponent.checked_sub(digits) else { break };
+            let grid = f64::from_bits(exponent << 52);
             let rounded = mean.map(|value| (value / grid).round() * grid);
             if let Some(point) = QueryPoint::from_f64(rounded)
                 && (0..self.facet_count()).all(|f| self.side_of_facet(sum, f, &point) == Sign::Negative)

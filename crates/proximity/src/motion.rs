@@ -4,6 +4,24 @@ use crate::{Pair, RelativePlacement, Separation, Translation, Witness};
 use exact::Quaternion;
 
 /// Where Q is: turned about the origin, then moved.
+///
+/// ```
+/// use exact::{Point3, Quaternion};
+/// use polytope::convex_hull;
+/// use splitstar_proximity::{Motion, Pair, Placement, Relation, Translation};
+/// let corners: Vec<_> = (0..8).map(|i| Point3::from_i64([i >> 2, i >> 1 & 1, i & 1])).collect();
+/// let cube = convex_hull(&corners).expect("there are points");
+/// let pair = Pair::new(&cube, &cube);
+/// // A quarter turn about the z-axis puts the second cube from -1 to 0 along x.
+/// let quarter = Quaternion::new([1, 0, 0, 1].map(Into::into)).expect("not all are zero");
+/// let translation = Translation::from_i64([0, 0, 0]);
+/// let placements = [
+///     Placement { rotation: None, translation: translation.clone() },
+///     Placement { rotation: Some(quarter), translation },
+/// ];
+/// let relations: Vec<_> = Motion::of_placements(&pair, &placements).map(|found| found.relation()).collect();
+/// assert_eq!(relations, [Relation::Overlapping, Relation::Touching]);
+/// ```
 #[derive(Clone, Debug)]
 pub struct Placement {
     /// The rotation; `None` for none.
@@ -13,6 +31,22 @@ pub struct Placement {
 }
 
 /// The answers for a list of placements, each found from where the last one has ended.
+///
+/// # Complexity
+/// That of one separation for each placement: of [`RelativePlacement::separation`], or of [`Pair::separation`].
+///
+/// ```
+/// use exact::Point3;
+/// use polytope::convex_hull;
+/// use splitstar_proximity::{Motion, RelativePlacement, Translation};
+/// let corners: Vec<_> = (0..8).map(|i| Point3::from_i64([i >> 2, i >> 1 & 1, i & 1])).collect();
+/// let cube = convex_hull(&corners).expect("there are points");
+/// let cubes = RelativePlacement::new(&cube, &cube);
+/// let path = [-3, -1, 0, 2].map(|x| Translation::from_i64([x, 0, 0]));
+/// let distances: Vec<_> =
+///     Motion::of_translations(&cubes, &path).map(|found| found.squared_distance().to_string()).collect();
+/// assert_eq!(distances, ["4", "0", "0", "1"]);
+/// ```
 #[derive(Clone, Debug)]
 pub struct Motion<'a> {
     of: Of<'a>,

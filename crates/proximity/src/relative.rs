@@ -119,6 +119,9 @@ fn relation_of(side: Sign) -> Relation {
 impl RelativePlacement {
     /// Builds M.
     ///
+    /// # Panics
+    /// If M would have 2^30 facets or more, as the Minkowski sum does.
+    ///
     /// # Complexity
     /// That of the Minkowski sum, and linear in the number of its cells.
     pub fn new(p: &Polytope, q: &Polytope) -> Self {

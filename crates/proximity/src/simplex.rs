@@ -19,8 +19,8 @@ pub(crate) struct Nearest {
     pub(crate) corners: Vec<Corner>,
     /// From the closest point to s, some positive multiple; zero if M contains s.
     pub(crate) direction: Vector3,
-    /// An outer normal of a facet of M in which s lies, if it is known that s lies in the boundary of a solid M; of something
-    /// below a facet, if s lies inside.
+    /// Known only of a point in a solid M, from the hull that has told the relation. If s lies in the boundary of M, it is the outer normal
+    /// of a facet of M that contains s; if s lies in the interior, that of a facet of the hull, and of M only if the hull has grown so far.
     pub(crate) normal: Option<Vector3>,
 }
 

@@ -272,6 +272,34 @@ fn a_sphere_around_its_own_center_has_one_least_depth_on_both_routes() {
     assert_eq!(first, of.sum().mesh().facets().map(depth).min());
 }
 
+/// The hull of that sphere passes the limit, so that the answer above comes from the sum; below a limit it is given up at once.
+#[test]
+fn a_hull_that_grows_beyond_its_limit_is_given_up() {
+    use crate::bodies::Bodies;
+    use crate::expansion::{Exit, Expansion};
+    let nearest = |p: &Polytope, turn: Option<&Quaternion>, s: &Translation, limit: usize| -> Option<Exit> {
+        let bodies = Bodies::new(p, p, turn);
+        let mut hull = Expansion::new(&bodies, &s.0, bodies.start(None)).expect("the sum is solid");
+        hull.relation();
+        hull.nearest_plane(limit)
+    };
+    let sphere = testkit::around(&testkit::geodesic_sphere(8, 6).points);
+    let s = Translation::from_f64([1e-9, 2e-9, -3e-9]).expect("the numbers are finite");
+    let turn = quaternion([7, 1, 2, 3]);
+    assert!(nearest(&sphere, Some(&turn), &s, 1000).is_none());
+    let small = testkit::around(&testkit::geodesic_sphere(2, 6).points);
+    let of = RelativePlacement::new(&small, &small.transformed(&Affine3::rotation(&turn)));
+    let expected = of.minimum_penetration(&s, None).map(|found| found.squared_depth());
+    let mut given_up = 0;
+    for limit in [4, 10, 30, 100, usize::MAX] {
+        match nearest(&small, Some(&turn), &s, limit) {
+            Some(exit) => assert_eq!(Some(exit.depth), expected, "limit {limit}"),
+            None => given_up += 1,
+        }
+    }
+    assert!((1..5).contains(&given_up), "{given_up}");
+}
+
 #[test]
 fn a_motion_answers_each_placement_in_turn() {
     let cube = cube();

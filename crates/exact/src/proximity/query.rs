@@ -1,6 +1,7 @@
 //! The point of a query, and planes as floats.
 
 use crate::filter::Filtered;
+use crate::rational::approx_quotient;
 use crate::stage::{Stage, count};
 use crate::tier::Ring;
 use crate::{Integer, Point3, Sign, Vector3};
@@ -31,7 +32,9 @@ const GREATEST: f64 = f64::from_bits((1023 + 300) << 52);
 impl QueryPoint {
     /// Takes a point.
     pub fn new(point: Point3) -> Self {
-        Self { floats: point.approx_homogeneous(), exact: OnceLock::from(point) }
+        let floats = point.approx_homogeneous();
+        let floats = if floats.iter().all(|value| value.is_finite()) { floats } else { reduced(&point) };
+        Self { floats, exact: OnceLock::from(point) }
     }
 
     /// Takes the point whose coordinates are these floats, each the dyadic rational that it is; `None` if one is not finite.
@@ -70,12 +73,36 @@ impl QueryPoint {
     }
 }
 
+/// The floats nearest to the homogeneous coordinates of a point, times 2^-300: for weights beyond the range of floats. No coordinate
+/// but zero is less than [`LEAST`].
+#[cold]
+fn reduced(point: &Point3) -> [f64; 4] {
+    let divisor = Integer::ONE << 300_u32;
+    point.homogeneous().map(|value| {
+        let magnitude = approx_quotient(&value.abs(), &divisor);
+        if value.sign() == Sign::Negative { -magnitude } else { magnitude }
+    })
+}
+
 /// A plane as four floats: the filter alone.
+///
+/// ```
+/// use exact::proximity::{PlaneFloats, QueryPoint};
+/// use exact::{Point3, Sign, Vector3};
+/// let plane = PlaneFloats::new(&Vector3::from_i64([1, 1, 1]), &Point3::from_i64([1, 0, 0]));
+/// assert_eq!(plane.side(&QueryPoint::new(Point3::from_i64([1, 1, 0]))), Some(Sign::Positive));
+/// // A point of the plane is left to the exact predicate, unless the floats have no error.
+/// let near = QueryPoint::from_f64([1.0, 1e-30, 0.0]).expect("the numbers are finite");
+/// assert_eq!(plane.side(&near), None);
+/// ```
 #[derive(Clone, Copy, Debug)]
 pub struct PlaneFloats([f64; 4]);
 
 impl PlaneFloats {
     /// Takes the plane through a point with a given normal.
+    ///
+    /// # Complexity
+    /// Constant, but for products of numbers that are wide.
     pub fn new(normal: &Vector3, on: &Point3) -> Self {
         if let (Some([a, b, c]), Some([x, y, z, w])) = (normal.to_i128(), on.as_narrow())
             && normal.bits() + on.bits() + 2 < 127
@@ -91,6 +118,9 @@ impl PlaneFloats {
 
     /// Tells on which side of the plane a point lies, as [`plane_side`](crate::predicate::plane_side) does with the exact plane;
     /// `None` where the floats cannot tell.
+    ///
+    /// # Complexity
+    /// Constant: degree 3 in normal, offset and point.
     #[inline]
     pub fn side(&self, point: &QueryPoint) -> Option<Sign> {
         if crate::stage::are_boxes_skipped() {

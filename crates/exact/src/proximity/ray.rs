@@ -37,6 +37,17 @@ impl Predicate for SideOfRay<'_> {
 ///
 /// # Complexity
 /// Degree 4; 3 if weights are not counted.
+///
+/// ```
+/// use exact::proximity::side_of_ray;
+/// use exact::{Point3, Sign, Vector3};
+/// // An edge of a facet in the plane z = 1, which has its facet at smaller x.
+/// let (edge, on) = (Vector3::from_i64([0, 1, 0]), Point3::from_i64([1, 0, 1]));
+/// let side = |ray| side_of_ray(&Point3::ORIGIN, &Vector3::from_i64(ray), &edge, &on);
+/// assert_eq!(side([0, 0, 1]), Sign::Positive);
+/// assert_eq!(side([1, 5, 1]), Sign::Zero);
+/// assert_eq!(side([2, 0, 1]), Sign::Negative);
+/// ```
 pub fn side_of_ray(apex: &Point3, ray: &Vector3, edge: &Vector3, on: &Point3) -> Sign {
     sign(&SideOfRay { apex, ray, edge, on })
 }

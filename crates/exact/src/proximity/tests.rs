@@ -147,3 +147,134 @@ fn every_tier_tells_the_same_side_of_a_ray() {
         }
     }
 }
+
+/// Checks that the lower bound of a cap is not above the depth below any of its planes; tells whether there is one.
+fn cap_holds(planes: &[(Vector3, Point3)], p: &Point3) -> bool {
+    let rounded: Vec<DepthPlane> = planes.iter().map(|(normal, on)| DepthPlane::new(normal, on)).collect();
+    let at = DepthPoint::new(&QueryPoint::new(p.clone()));
+    let low = DepthCap::of(rounded.iter()).least_depth(&at).approx_low();
+    assert!(low < f64::INFINITY || low.is_nan(), "{planes:?} {p}");
+    let Ok(exact) = Rational::try_from(low) else { return false };
+    let square = &exact * &exact.abs();
+    for ((normal, on), plane) in planes.iter().zip(&rounded) {
+        let depth = signed_square(normal, on, p);
+        assert!(
+            square <= depth,
+            "{low} is above the depth below {normal} {on} in the cap of {planes:?}: {p}"
+        );
+        let bounds = plane.depth(&at);
+        let held = Rational::try_from(bounds.approx_low()).is_ok_and(|low| &low * &low.abs() <= depth);
+        assert!(held || !bounds.approx_low().is_finite(), "{normal} {on} {p}");
+    }
+    true
+}
+
+/// Normals of caps: one, several nearly parallel ones, wide ones, and such that cancel.
+fn caps(k: i64) -> Vec<Vec<[i64; 3]>> {
+    vec![
+        vec![[k, 1, 0]],
+        vec![[k + 3, k, 1 - k]],
+        vec![[k, 1, 0], [k, 0, 1]],
+        vec![[k, 1, 0], [k, -1, 0]],
+        vec![[k, 3, 1], [k, -1, -1], [k, 0, 2], [k, 3, 1]],
+        vec![[k, k, 1], [k, k + 1, 0]],
+        vec![[k, k - 1, 0], [k, 1 - k, 0]],
+        vec![[1, k, 0], [1, -k, 0]],
+        vec![[3, 4, 0], [3, -4, 0], [5, 0, 0]],
+        vec![[k, 1, 0], [-k, -1, 0]],
+        vec![[k, 0, 0], [-k, 1, 0], [0, 0, k]],
+    ]
+}
+
+/// Directions from which a cap is seen in every special way: along its axis or a normal, opposite, in a plane, and close to these.
+fn views(normals: &[[i64; 3]], random: &mut Random) -> Vec<Vector3> {
+    let [first, last] = [normals[0], normals[normals.len() - 1]].map(Vector3::from_i64);
+    let axis = &first + &last;
+    let across = first.cross(&last);
+    let mut views = vec![first.clone(), last.clone(), axis.clone(), across.clone()];
+    views.extend([
+        first.cross(&across),
+        last.cross(&across),
+        Vector3::from_i64([0, 1, 0]),
+        Vector3::from_i64([1, 0, 0]),
+    ]);
+    let far = |factor: i64| first.scaled(&factor.into());
+    for _ in 0..4 {
+        let factor = (1 << 30) + random.around_zero(1 << 20);
+        let beside = Vector3::from_i64([0, 1 + random.below(3) as i64, random.around_zero(2)]);
+        views.push(&far(factor) + &beside);
+        views.push(&axis.scaled(&factor.into()) + &beside);
+        views.push(&Vector3::from_i64([factor, 0, 0]) + &beside);
+    }
+    views.iter().flat_map(|view| [view.clone(), -view]).collect()
+}
+
+fn times_power_of_two(vector: &Vector3, exponent: i32) -> Point3 {
+    let (up, down) = (exponent.max(0).unsigned_abs(), exponent.min(0).unsigned_abs());
+    let one = crate::Integer::ONE;
+    Point3::new(vector.coordinates().map(|c| c << up), one << down).expect("a power of two is not zero")
+}
+
+#[test]
+fn bounds_of_caps_are_not_above_the_depth_seen_from_anywhere() {
+    let _guard = force(Start::Usual);
+    let random = &mut Random::new(35);
+    let (mut told, mut count) = (0, 0);
+    for k in [1 << 10, 1 << 20, (1 << 26) + 1, 1 << 30, 1 << 40] {
+        for normals in caps(k) {
+            for on in [[0, 0, 0], [1, 1, 1], [(1 << 50) + 1, 7, -3]].map(Point3::from_i64) {
+                let planes: Vec<_> = normals.iter().map(|n| (Vector3::from_i64(*n), on.clone())).collect();
+                for view in views(&normals, random) {
+                    for exponent in [0, 500, -500, 1000, -1000] {
+                        told += usize::from(cap_holds(&planes, &times_power_of_two(&view, exponent)));
+                        count += 1;
+                    }
+                }
+            }
+        }
+    }
+    assert!(told > count * 3 / 5, "{told} of {count}");
+}
+
+#[test]
+fn offsets_and_normals_beyond_the_range_of_floats_have_no_bounds() {
+    let _guard = force(Start::Usual);
+    let far = times_power_of_two(&Vector3::from_i64([1, 1, 1]), 1100);
+    let (x, y) = (Vector3::from_i64([1, 0, 0]), Vector3::from_i64([1 << 30, 1, 0]));
+    let wide = Vector3::new([1, 3, 5].map(|c| crate::Integer::from(c) << 1100_u32));
+    let near = Point3::from_i64([1, 2, 3]);
+    for planes in [
+        vec![(x.clone(), far.clone())],
+        vec![(x.clone(), near.clone()), (y.clone(), far.clone())],
+        vec![(wide, near.clone()), (y, near.clone())],
+    ] {
+        for p in [&near, &Point3::ORIGIN, &far] {
+            assert!(!cap_holds(&planes, p), "{planes:?} {p}");
+        }
+    }
+    // The same below a plane that is near: no depth is told.
+    let depth = DepthPlane::new(&x, &near).depth(&DepthPoint::new(&QueryPoint::new(far)));
+    assert!(!depth.is_positive() && !depth.is_negative());
+}
+
+#[test]
+fn dust_on_a_coordinate_does_not_spoil_the_filters() {
+    let _guard = force(Start::Usual);
+    let (normal, on) = (Vector3::from_i64([3, 4, -5]), Point3::from_i64([1, 2, 3]));
+    for dust in [f64::from_bits(1), -1e-320, 1e-310, 1e-300, 1e-295] {
+        for floats in [[0.25, dust, 0.5], [dust, 0.0, -7.5], [dust, dust, dust], [dust, 0.0, 1e20]] {
+            let query = QueryPoint::from_f64(floats).expect("the numbers are finite");
+            let side = PlaneFloats::new(&normal, &on).side(&query);
+            assert_eq!(side, Some(predicate::plane_side(&normal, &on, query.point())), "{floats:?}");
+            let depth = DepthPlane::new(&normal, &on).depth(&DepthPoint::new(&query));
+            assert_eq!(depth.is_negative(), side == Some(Sign::Positive), "{floats:?}");
+            assert_eq!(depth.is_positive(), side == Some(Sign::Negative), "{floats:?}");
+            assert!(cap_holds(&[(normal.clone(), on.clone())], query.point()));
+        }
+    }
+    // Too wide even for reduced floats: the depth is still bounded.
+    let tiny = Rational::new(1.into(), crate::Integer::ONE << 3000_u32).expect("a power of two is not zero");
+    let query = QueryPoint::new(Point3::from_rationals(&[tiny, Rational::ZERO, Rational::ONE]));
+    let depth = DepthPlane::new(&normal, &on).depth(&DepthPoint::new(&query));
+    assert!(depth.is_negative() && PlaneFloats::new(&normal, &on).side(&query).is_none());
+}

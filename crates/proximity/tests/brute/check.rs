@@ -1,9 +1,10 @@
 //! One placement: every answer of the library beside that of brute force.
 
-use crate::contact::{common_corners, first, is_smallest_face, moved, vertices_of};
+use crate::contact::{common_corners, first, holds_rational, is_smallest_face, moved, vertices_of};
 use crate::number::{Fraction, Number, Triple, negated};
 use crate::placements::rational;
 use crate::planes::{Brute, Place};
+use crate::solid::Solid;
 use exact::{Integer, Quaternion, Rational, Vector3};
 use polytope::Polytope;
 use splitstar_proximity::{
@@ -139,6 +140,27 @@ impl Subject<'_> {
         let [of_p, of_q] = penetration.features();
         let features = [vertices_of(of_p, &brute.p), vertices_of(of_q, &brute.q)];
         assert_eq!(features, extreme, "features of the facet: {case}");
+    }
+
+    /// Checks that the closest points belong to the polytopes and are as far apart as brute force says; if the polytopes overlap, that
+    /// they are one common point. `solids` are the polytopes over the scale, before the translation.
+    pub(crate) fn check_membership(
+        &self,
+        solids: &[Solid<Integer>; 2],
+        scale: &Integer,
+        s: &Translation,
+        expected: &Expected,
+        hint: Option<Witness>,
+        case: &str,
+    ) {
+        let [a, b] = self.separation(s, hint).closest_points();
+        let away: [Rational; 3] = [0, 1, 2].map(|i: usize| &a[i] - &b[i]);
+        let squared: Rational = away.iter().map(|c| c * c).sum();
+        assert_eq!(squared, expected.squared_distance, "distance of the closest points: {case}");
+        assert!(holds_rational(&solids[0], scale, &a), "the first closest point {a:?}: {case}");
+        let s = s.coordinates();
+        let b = [0, 1, 2].map(|i: usize| &b[i] - &s[i]);
+        assert!(holds_rational(&solids[1], scale, &b), "the second closest point, moved back, {b:?}: {case}");
     }
 
     /// Compares the closest points, and the features that hold them, with all that the polytopes have in common once `q` is moved by the

@@ -37,20 +37,31 @@ pub(crate) fn common_corners(p: &Solid<Integer>, q: &Solid<Integer>) -> Vec<Weig
 
 /// Whether a point lies in a solid of any dimension.
 pub(crate) fn holds(solid: &Solid<Integer>, x: &Exact) -> bool {
-    let is_beyond =
-        |(cycle, normal): &(Vec<usize>, Exact)| dot(normal, &minus(x, &solid.vertices[cycle[0]])).gt_zero();
+    holds_weighted(solid, &(x.clone(), Integer::from(1)))
+}
+
+/// Whether a point whose coordinates are rational, once multiplied by the scale of a solid, lies in it.
+pub(crate) fn holds_rational(solid: &Solid<Integer>, scale: &Integer, x: &[Rational; 3]) -> bool {
+    let weight = x.iter().fold(Integer::from(1), |weight, c| weight.lcm(&c.denominator()));
+    let factor = Rational::from(scale * &weight);
+    holds_weighted(solid, &(x.each_ref().map(|c| (c * &factor).numerator()), weight))
+}
+
+fn holds_weighted(solid: &Solid<Integer>, (x, weight): &Weighted) -> bool {
+    let from = |v: usize| minus(x, &solid.vertices[v].each_ref().map(|c| c * weight));
+    let is_beyond = |(cycle, normal): &(Vec<usize>, Exact)| dot(normal, &from(cycle[0])).gt_zero();
     match (&solid.edges[..], &solid.facets[..]) {
-        ([], _) => *x == solid.vertices[0],
+        ([], _) => is_zero(&from(0)),
         ([edge], _) => {
-            let (u, w) = (solid.edge_vector(*edge), minus(x, &solid.vertices[edge[0]]));
+            let (u, w) = (solid.edge_vector(*edge), from(edge[0]));
             let along = dot(&u, &w);
-            is_zero(&cross(&u, &w)) && !along.lt_zero() && along <= dot(&u, &u)
+            is_zero(&cross(&u, &w)) && !along.lt_zero() && along <= dot(&u, &u) * weight
         }
         (_, [front @ (cycle, normal), back]) => {
             let is_left = |i: usize| {
                 let (a, b) = (cycle[i], cycle[(i + 1) % cycle.len()]);
                 let inwards = cross(normal, &solid.edge_vector([a, b]));
-                !dot(&inwards, &minus(x, &solid.vertices[a])).lt_zero()
+                !dot(&inwards, &from(a)).lt_zero()
             };
             !is_beyond(front) && !is_beyond(back) && (0..cycle.len()).all(is_left)
         }

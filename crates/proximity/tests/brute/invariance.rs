@@ -200,7 +200,8 @@ fn a_motion_gives_the_answers_of_single_queries() {
             Motion::of_translations(&sum, &translations).map(|found| said(&found)).collect();
         assert_eq!(found, single, "{name}");
         // Of several shortest moves, this one may name another.
-        let single: Vec<String> = translations.iter().map(|s| said(&pair.separation(s, None, None))).collect();
+        let single: Vec<String> =
+            translations.iter().map(|s| said(&pair.separation(s, None, None))).collect();
         let found: Vec<String> = Motion::of_placements(&pair, &moves).map(|found| said(&found)).collect();
         assert_eq!(found, single, "{name}");
     });

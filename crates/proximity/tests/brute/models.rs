@@ -19,6 +19,7 @@ fn compare(names: [&str; 2]) {
     let [p, q] = names.map(|name| model(&format!("convex/{name}")));
     let scale = common_scale(&p, &q) * Integer::from(PARTS);
     let brute = Brute::<Integer>::new(&p, &q, scale.clone());
+    let solids = [&p, &q].map(|polytope| Solid::<Integer>::new(polytope, &scale));
     let seed = 7;
     println!("{names:?}: seed {seed}, {} candidates", brute.candidates.len());
     let mut rng = Rng::new(seed);
@@ -37,6 +38,7 @@ fn compare(names: [&str; 2]) {
         let expected = Expected::new(&brute, &made.s, direction, distance);
         places[expected.place as usize] += 1;
         let subjects = [Subject::Sum(&sum), Subject::Pair(&pair, None)];
+        subjects[number % 2].check_membership(&solids, &scale, &s, &expected, hints[number % 2], &case);
         for (subject, hint) in subjects.iter().zip(&mut hints) {
             *hint = Some(subject.check(&s, direction, &expected, *hint, &case));
             subject.check_direction(&brute, &made.s, &s, &case);
@@ -54,7 +56,8 @@ fn compare(names: [&str; 2]) {
         }
     }
     assert!(places[Place::Touching as usize] >= COUNT / 3, "{names:?}: {places:?}");
-    assert!(places.iter().all(|&count| count >= COUNT / 20), "{names:?}: {places:?}");
+    assert!(places[Place::Overlapping as usize] >= 3 * COUNT / 10, "{names:?}: {places:?}");
+    assert!(places[Place::Disjoint as usize] >= COUNT / 20, "{names:?}: {places:?}");
 }
 
 #[test]

@@ -24,7 +24,9 @@ pub(crate) trait Number: Clone + std::fmt::Debug {
     }
 }
 
-/// Overflow is a panic, as the tests are built with checks.
+const FITS: &str = "the numbers of this pair are small";
+
+/// Overflow is a panic in every build.
 impl Number for i128 {
     fn of(value: &Integer) -> Self {
         value.to_i128().expect("the coordinates of this pair are small")
@@ -35,15 +37,15 @@ impl Number for i128 {
     }
 
     fn add(&self, other: &Self) -> Self {
-        self + other
+        self.checked_add(*other).expect(FITS)
     }
 
     fn sub(&self, other: &Self) -> Self {
-        self - other
+        self.checked_sub(*other).expect(FITS)
     }
 
     fn mul(&self, other: &Self) -> Self {
-        self * other
+        self.checked_mul(*other).expect(FITS)
     }
 
     fn sign(&self) -> Ordering {

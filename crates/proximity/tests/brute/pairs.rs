@@ -1,4 +1,4 @@
-//! Twenty pairs of polytopes with at most thirty features each, of every dimension, many of them degenerate.
+//! Twenty pairs of polytopes with at most thirty features each, of every dimension, many of them degenerate; and flat pairs besides.
 
 use polytope::Polytope;
 use testkit::{Rng, hull, hull_of_dimension, rotation, scaling, segment, translation};
@@ -79,6 +79,7 @@ pub(crate) fn pair(name: &str) -> Pair {
     found.unwrap_or_else(|| panic!("no pair {name}; there are {known}"))
 }
 
+/// Pairs whose sums are solid, so that some placements overlap; the operands need not be.
 pub(crate) fn pairs() -> Vec<Pair> {
     let of = |name, p, q| Pair { name, p, q };
     let turned = |polytope: Polytope, by| polytope.transformed(&rotation(by));
@@ -100,13 +101,13 @@ pub(crate) fn pairs() -> Vec<Pair> {
         of("hull_and_segment", random(5, 3, 9), segment([3, -2, 5])),
         of("hull_and_polygon", random(6, 3, 9), random(7, 2, 5)),
         of("skew_polygons", hexagon(), turned(hexagon(), [1, 1, 0, 0])),
-        of("coplanar_polygons", hexagon(), hull(&[[0, 0, 0], [5, 0, 0], [0, 4, 0], [3, 3, 0]])),
-        of("polygon_and_segment_in_its_plane", hexagon(), segment([6, 1, 0])),
-        of("skew_segments", segment([4, 1, 0]), segment([0, 3, 2])),
+        of("pyramid_and_parallel_polygon", pyramid(), hexagon()),
+        of("polygon_and_segment_across", hexagon(), segment([1, 1, 5])),
+        of("crossed_needles", block([40, 1, 1]), block([1, 40, 2])),
     ]
 }
 
-/// More pairs in which no translation makes interiors meet.
+/// More pairs, whose sums lie in a plane: no translation makes them overlap.
 pub(crate) fn flat_pairs() -> Vec<Pair> {
     let of = |name, p, q| Pair { name, p, q };
     vec![
@@ -116,7 +117,9 @@ pub(crate) fn flat_pairs() -> Vec<Pair> {
         of("point_and_segment", point([1, 2, 3]), segment([3, 0, 1])),
         of("point_and_polygon", point([1, 2, 3]), hexagon()),
         of("same_polygons", hexagon(), hexagon()),
-        of("polygon_and_segment_across", hexagon(), segment([1, 1, 5])),
+        of("coplanar_polygons", hexagon(), hull(&[[0, 0, 0], [5, 0, 0], [0, 4, 0], [3, 3, 0]])),
+        of("polygon_and_segment_in_its_plane", hexagon(), segment([6, 1, 0])),
+        of("skew_segments", segment([4, 1, 0]), segment([0, 3, 2])),
     ]
 }
 

@@ -4,6 +4,7 @@ use crate::number::{Number, Triple, minus, negated, plus};
 use crate::planes::Brute;
 use crate::solid::Solid;
 use exact::{Integer, Rational};
+use splitstar_proximity::Feature;
 use std::collections::BTreeMap;
 use testkit::Rng;
 
@@ -29,17 +30,42 @@ pub(crate) struct Placement<N> {
     pub(crate) made: Made,
 }
 
-/// How often each kind was made.
+/// What the placements of a pair were.
 #[derive(Default, Debug)]
-pub(crate) struct Census(pub(crate) BTreeMap<Made, usize>);
+pub(crate) struct Census {
+    /// How often each kind was made.
+    made: BTreeMap<Made, usize>,
+    /// How often the features that were told to touch had these dimensions: the least ones that contain the whole contact.
+    told: BTreeMap<[usize; 2], usize>,
+}
 
 impl Census {
     pub(crate) fn note(&mut self, made: Made) {
-        *self.0.entry(made).or_default() += 1;
+        *self.made.entry(made).or_default() += 1;
     }
 
+    pub(crate) fn note_contact(&mut self, features: [Feature; 2]) {
+        let dimensions = features.map(|feature| match feature {
+            Feature::Vertex(_) => 0,
+            Feature::Edge(_) => 1,
+            Feature::Facet(_) => 2,
+        });
+        *self.told.entry(dimensions).or_default() += 1;
+    }
+
+    pub(crate) fn add(&mut self, other: Self) {
+        other.made.into_iter().for_each(|(made, count)| *self.made.entry(made).or_default() += count);
+        other.told.into_iter().for_each(|(told, count)| *self.told.entry(told).or_default() += count);
+    }
+
+    /// Whether extreme points of these dimensions were put together.
     pub(crate) fn has_touch(&self, dimensions: [usize; 2], is_parallel: bool) -> bool {
-        self.0.contains_key(&Made::Touch { dimensions, is_parallel })
+        self.made.contains_key(&Made::Touch { dimensions, is_parallel })
+    }
+
+    /// How often features of these dimensions were told to touch.
+    pub(crate) fn contacts(&self, dimensions: [usize; 2]) -> usize {
+        self.told.get(&dimensions).copied().unwrap_or(0)
     }
 }
 
