@@ -111,6 +111,9 @@ fn arranged<C>(
     }
 }
 
+/// What is said of a picture that may show different things in one place.
+pub(super) const COLLAPSED: &str = "coordinates differ too little for a picture; write star";
+
 fn written(
     arrangement: &StarArrangement,
     run: &Run,
@@ -126,8 +129,7 @@ fn written(
                 Failure::file(&output.shown(), None, sentence)
             })?;
             if scene.is_collapsed() {
-                let sentence = "coordinates differ too little for a picture; write star";
-                console.note(&output.shown(), None, sentence);
+                console.note(&output.shown(), None, COLLAPSED);
             }
             scene.to_svg(&SvgOptions::default()).into_bytes()
         }

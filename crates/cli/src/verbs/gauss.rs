@@ -1,6 +1,6 @@
 //! `splitstar gauss`.
 
-use super::arrange::{sphere, sphere_scene};
+use super::arrange::{COLLAPSED, sphere, sphere_scene};
 use super::counted;
 use super::sum::convex;
 use crate::args::{CellEncoding, CellFormat, Place, Run};
@@ -35,7 +35,7 @@ pub(crate) fn gauss(run: &Run) -> Result<(), Failure> {
     console.step_done();
     console.step("writing");
     if let Some(output) = &run.output {
-        output::write(output, &written(&map, run, output)?)?;
+        output::write(output, &written(&map, run, output, &console)?)?;
     }
     seconds.write = clock.lap();
     console.close();
@@ -52,7 +52,7 @@ pub(crate) fn gauss(run: &Run) -> Result<(), Failure> {
     }
 }
 
-fn written(map: &StarGaussianMap, run: &Run, output: &Place) -> Result<Vec<u8>, Failure> {
+fn written(map: &StarGaussianMap, run: &Run, output: &Place, console: &Console) -> Result<Vec<u8>, Failure> {
     let CellEncoding { format, gzip } = run.cell_encoding();
     let bytes = match format {
         CellFormat::Star => formats::write_gaussian_map(map),
@@ -61,6 +61,9 @@ fn written(map: &StarGaussianMap, run: &Run, output: &Place) -> Result<Vec<u8>, 
                 let sentence = format!("not drawn: {error}; write star, which has no limit");
                 Failure::file(&output.shown(), None, sentence)
             })?;
+            if scene.is_collapsed() {
+                console.note(&output.shown(), None, COLLAPSED);
+            }
             scene.to_svg(&SvgOptions::default()).into_bytes()
         }
     };

@@ -471,3 +471,27 @@ fn places_are_located() {
     let message = run_with(&["locate", &plane, "-"], b"1 2 3\n").error(1);
     assert_eq!(message, "error: -:1: `3` where the end of the line was expected; correct it");
 }
+
+#[test]
+fn faces_too_narrow_for_a_picture_are_noted() {
+    let folder = Folder::new("sphere_narrow");
+    let out = folder.path("out.svg");
+    let note = format!("note: {out}: coordinates differ too little for a picture; write star");
+    for (text, is_noted) in [
+        ("circle 1 2 3\ncircle 1 2 3.00000000000000000001\n", [true, true]),
+        ("circle 1 2 3\ncircle 1 2 3.00001\n", [false; 2]),
+        ("arc 1 0 0 0 1 0\narc 0 1 0 0 0 1\n", [false; 2]),
+        ("point -1 0 1e400\n", [true; 2]),
+        ("# nothing\n", [false; 2]),
+    ] {
+        let file = folder.write("curves.txt", text);
+        for (view, is_noted) in ["globe", "unfolded"].into_iter().zip(is_noted) {
+            let told = run(&["arrange", &file, "-o", &out, "--surface", "sphere", "--view", view]);
+            assert_eq!(told.notes().contains(&note.as_str()), is_noted, "{view} {text}: {}", told.stderr);
+            told.ok();
+        }
+    }
+    let triangle = folder.write("triangle.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0.5 1e-16 0\n");
+    let told = run(&["gauss", &triangle, "-o", &out]);
+    assert!(told.notes().contains(&note.as_str()), "{}", told.stderr);
+}

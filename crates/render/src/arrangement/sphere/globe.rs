@@ -7,9 +7,9 @@ use dcel::{FaceId, HalfedgeId};
 
 use super::disc::Disc;
 use super::outline::{Outlines, SIDES};
-use super::rim::Boundary;
+use super::rim::{Boundary, area_of};
 use super::view::{GlobeOptions, Vector, View};
-use super::{is_sphere, rim_face};
+use super::{is_collapsed, is_sphere, rim_face};
 use crate::arrangement::cells::Cells;
 use crate::arrangement::look::Look;
 use crate::colour::Colour;
@@ -44,7 +44,9 @@ impl Scene {
         }
         let globe = Globe::new(arrangement, options)?;
         let mut scene = Self::new(Frame::new([-2.1, -1.05], [2.1, 1.05])?);
-        scene.push_layer(globe.faces()?);
+        let (faces, are_collapsed) = globe.faces()?;
+        scene.set_collapsed(are_collapsed || is_collapsed(arrangement));
+        scene.push_layer(faces);
         if options.has_graticule() {
             scene.push_layer(globe.graticule()?);
         }
@@ -81,20 +83,27 @@ impl<'a, G: ApproxTraits + UMonotoneTraits, T: Topology<G>> Globe<'a, G, T> {
         Ok(Self { arrangement, cells, view, chains, discs, look })
     }
 
-    fn faces(&self) -> Result<Layer, RenderError> {
+    /// The faces, and whether they overlap.
+    fn faces(&self) -> Result<(Layer, bool), RenderError> {
         let boundaries: Vec<(FaceId, [Boundary; 2])> =
             self.cells.faces().map(|(f, _)| (f, self.boundaries(f))).collect();
         let rim_face = rim_face(boundaries.iter().map(|(f, both)| (*f, both.as_slice())));
         let mut faces = Layer::new("faces");
+        let mut filled = [0.0; 2];
         let looks = self.cells.faces().zip(self.cells.colours(self.arrangement));
         for ((f, boundaries), ((_, name), colour)) in boundaries.into_iter().zip(looks) {
-            let parts = self.discs.iter().zip(boundaries);
-            let rings =
-                parts.flat_map(|(disc, boundary)| disc.rim().rings(boundary, rim_face == Some(f))).collect();
+            let mut all = Vec::new();
+            for ((disc, boundary), filled) in self.discs.iter().zip(boundaries).zip(&mut filled) {
+                let rings = disc.rim().rings(boundary, rim_face == Some(f));
+                *filled += area_of(&rings);
+                all.extend(rings);
+            }
             let style = Style::filled("face", colour);
-            faces.push(Item::new(Shape::region(rings), style).with_id(name))?;
+            faces.push(Item::new(Shape::region(all), style).with_id(name))?;
         }
-        Ok(faces)
+        let are_collapsed =
+            self.discs.iter().zip(filled).any(|(disc, filled)| disc.rim().is_missed_by(filled));
+        Ok((faces, are_collapsed))
     }
 
     /// The boundary of a face in both discs.

@@ -6,8 +6,8 @@ use ::arrangement::traits::{Along, ApproxTraits, UMonotoneTraits};
 use dcel::{CcbId, FaceId, HalfedgeId};
 
 use super::outline::{Outlines, SIDES, at_right, rectangle};
-use super::rim::{Boundary, Rim};
-use super::rim_face;
+use super::rim::{Boundary, Rim, area_of};
+use super::{is_collapsed, rim_face};
 use crate::arrangement::cells::Cells;
 use crate::arrangement::look::Look;
 use crate::colour::Colour;
@@ -25,7 +25,9 @@ pub(in crate::arrangement) fn scene<G: ApproxTraits + UMonotoneTraits, T: Topolo
     let outlines = Outlines::new(arrangement)?;
     let cells = Cells::new(arrangement);
     let mut scene = Scene::new(shown.map_or_else(rectangle, Ok)?);
-    scene.push_layer(faces(arrangement, &cells, &outlines)?);
+    let (faces, are_collapsed) = faces(arrangement, &cells, &outlines)?;
+    scene.set_collapsed(are_collapsed || is_collapsed(arrangement));
+    scene.push_layer(faces);
     scene.push_layer(frame()?);
     let mut edges = Layer::new("edges");
     for (e, name) in cells.edges() {
@@ -40,11 +42,12 @@ pub(in crate::arrangement) fn scene<G: ApproxTraits + UMonotoneTraits, T: Topolo
     Ok(scene)
 }
 
+/// The faces, and whether they overlap.
 fn faces<G: ApproxTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     cells: &Cells,
     outlines: &Outlines,
-) -> Result<Layer, RenderError> {
+) -> Result<(Layer, bool), RenderError> {
     let dcel = arrangement.dcel();
     let boundary = |f: FaceId| {
         let mut boundary = Boundary::default();
@@ -58,13 +61,15 @@ fn faces<G: ApproxTraits, T: Topology<G>>(
     let [[left, right], [bottom, top]] = SIDES;
     let rim = Rim::new([(left + right) / 2.0, (bottom + top) / 2.0], rectangle()?.corners().to_vec());
     let mut faces = Layer::new("faces");
+    let mut filled = 0.0;
     let looks = cells.faces().zip(cells.colours(arrangement));
     for ((f, [boundary]), ((_, name), colour)) in boundaries.into_iter().zip(looks) {
         let rings = rim.rings(boundary, rim_face == Some(f));
+        filled += area_of(&rings);
         let style = Style::filled("face", colour);
         faces.push(Item::new(Shape::region(rings), style).with_id(name))?;
     }
-    Ok(faces)
+    Ok((faces, rim.is_missed_by(filled)))
 }
 
 /// Cuts a CCB where it goes through a pole or over the identification.
