@@ -88,7 +88,13 @@ pub(crate) fn direction(rng: &mut Rng) -> [i64; 3] {
 /// The dimensions of the least features that contain a contact, which ten thousand placements of a pair must have.
 fn contacts(name: &str) -> &'static [[usize; 2]] {
     match name {
-        _ => &[],
+        "hulls" | "large_hulls" | "octahedron_and_cube" | "pyramid_and_octahedron" | "same_tetrahedra" => {
+            &[[0, 0], [0, 1], [0, 2], [1, 0], [1, 1], [2, 0]]
+        }
+        "prisms" => &[[0, 0], [0, 1], [1, 0], [1, 1], [1, 2], [2, 1], [2, 2]],
+        "opposite_tetrahedra" => &[[0, 0], [1, 1], [2, 2]],
+        "thirds" => &[[0, 0], [0, 1], [0, 2], [1, 0], [1, 1], [1, 2], [2, 0], [2, 1]],
+        _ => &[[0, 0]],
     }
 }
 
@@ -134,7 +140,7 @@ compare_pairs! {
     hull_and_segment
     hull_and_polygon
     skew_polygons
-    pyramid_and_parallel_polygon
+    prism_and_parallel_polygon
     polygon_and_segment_across
     crossed_needles
 }
