@@ -276,5 +276,5 @@ fn dust_on_a_coordinate_does_not_spoil_the_filters() {
     let tiny = Rational::new(1.into(), crate::Integer::ONE << 3000_u32).expect("a power of two is not zero");
     let query = QueryPoint::new(Point3::from_rationals(&[tiny, Rational::ZERO, Rational::ONE]));
     let depth = DepthPlane::new(&normal, &on).depth(&DepthPoint::new(&query));
-    assert!(depth.is_negative() && PlaneFloats::new(&normal, &on).side(&query).is_none());
+    assert!(depth.is_positive() && PlaneFloats::new(&normal, &on).side(&query).is_none());
 }

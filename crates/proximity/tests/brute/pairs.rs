@@ -101,7 +101,7 @@ pub(crate) fn pairs() -> Vec<Pair> {
         of("hull_and_segment", random(5, 3, 9), segment([3, -2, 5])),
         of("hull_and_polygon", random(6, 3, 9), random(7, 2, 5)),
         of("skew_polygons", hexagon(), turned(hexagon(), [1, 1, 0, 0])),
-        of("pyramid_and_parallel_polygon", pyramid(), hexagon()),
+        of("prism_and_parallel_polygon", triangular_prism(), hexagon()),
         of("polygon_and_segment_across", hexagon(), segment([1, 1, 5])),
         of("crossed_needles", block([40, 1, 1]), block([1, 40, 2])),
     ]
