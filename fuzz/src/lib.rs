@@ -11,8 +11,13 @@ mod script;
 mod swept_again;
 
 use exact::Rational;
+use exact::spherical::Direction;
+use splitstar_arrangement::models::GeodesicTraits;
 use splitstar_formats::{CurveFile, CurvePoint, Format, InputCurve, Model, Shape, WriteOptions, read, read_curves, write, write_curves};
+use splitstar_formats::{SphereCurve, read_sphere_curves, read_sphere_points, write_sphere_curves};
 use splitstar_formats::{StarArrangement, read_arrangement, read_points, write_arrangement};
+use splitstar_formats::{FilePlacement, read_placements};
+use splitstar_formats::{read_gaussian_map, write_gaussian_map};
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::LazyLock;
@@ -86,6 +91,34 @@ pub fn check_curves(bytes: &[u8]) {
     }
 }
 
+/// Reads bytes as a file of placements. A message must be one short line; placements must come back as they were.
+pub fn check_placements(bytes: &[u8]) {
+    let placements = match read_placements(bytes, None) {
+        Ok(placements) => placements,
+        Err(error) => {
+            let message = error.to_string();
+            assert!(message.len() < 600 && !message.contains(char::is_control), "{message:?}");
+            return;
+        }
+    };
+    let mut text = String::new();
+    for FilePlacement { translation, rotation } in &placements {
+        let numbers: Vec<String> = translation.coordinates().iter().map(ToString::to_string).collect();
+        let turned = rotation.iter().flat_map(|q| q.components().each_ref().map(ToString::to_string));
+        text += &numbers.into_iter().chain(turned).collect::<Vec<_>>().join(" ");
+        text.push('\n');
+    }
+    match read_placements(text.as_bytes(), None) {
+        Ok(again) => assert_eq!(again, placements),
+        Err(error) => {
+            let is_long = |placement: &FilePlacement| {
+                placement.translation.bits() > 1_000 || placement.rotation.as_ref().is_some_and(|q| q.bits() > 1_000)
+            };
+            assert!(placements.iter().any(is_long), "what was written cannot be read: {error}");
+        }
+    }
+}
+
 /// Reads bytes as a file of points, which may say more than a file of curves that are points, and must not say another thing.
 fn check_points(bytes: &[u8]) {
     match read_points(bytes, None) {
@@ -140,6 +173,102 @@ fn points_of(curve: &InputCurve) -> &[CurvePoint] {
 fn is_far([p, q]: &[Rational; 2], curve: &InputCurve) -> bool {
     let far = |x: &Rational, period: &Rational| x.abs() > Rational::from(100) * period;
     points_of(curve).iter().map(|point| point.coordinates()).any(|[x, y]| far(&x, p) || far(&y, q))
+}
+
+/// Reads bytes as a file of curves on the sphere, as [`check_curves`] does with those of the plane; the cells must not depend on the
+/// identification either.
+pub fn check_sphere_curves(bytes: &[u8]) {
+    check_sphere_points(bytes);
+    let file = match read_sphere_curves(bytes, None) {
+        Ok(file) => file,
+        Err(error) => {
+            check_message(&error.to_string());
+            return;
+        }
+    };
+    let are_long = file.curves.iter().any(is_long_on_sphere);
+    match read_sphere_curves(&write_sphere_curves(&file.curves), None) {
+        Ok(again) => assert_eq!(again.curves, file.curves),
+        Err(error) => assert!(are_long, "what was written cannot be read: {error}"),
+    }
+    if file.curves.len() <= 12 && bytes.len() <= 500 && !are_long {
+        check_sphere_arrangement_of(file.curves);
+    }
+}
+
+/// Reads bytes as a file of points, which may say more than a file of curves that are points, and must not say another thing.
+fn check_sphere_points(bytes: &[u8]) {
+    match read_sphere_points(bytes, None) {
+        Ok(file) => {
+            if let Ok(curves) = read_sphere_curves(bytes, None) {
+                let points: Vec<SphereCurve> = file.points.into_iter().map(SphereCurve::Point).collect();
+                assert_eq!(points, curves.curves);
+            }
+        }
+        Err(error) => check_message(&error.to_string()),
+    }
+}
+
+fn check_message(message: &str) {
+    assert!(message.len() < 600 && !message.contains(char::is_control), "{message:?}");
+}
+
+/// Whatever a reader gives has an arrangement.
+fn check_sphere_arrangement_of(mut curves: Vec<SphereCurve>) {
+    let make = |curves: &[SphereCurve], identification: [i64; 2]| {
+        let traits = GeodesicTraits::with_identification(identification.map(Into::into));
+        let made = StarArrangement::of_sphere_curves(curves.to_vec(), traits.expect("a direction is not zero"));
+        made.unwrap_or_else(|error| panic!("curves that were read have an arrangement: {error}"))
+    };
+    let [first, turned] = [[-1, 0], [2, 1]].map(|identification| make(&curves, identification));
+    assert_eq!(first.counts(), turned.counts(), "with another identification");
+    let texts = [first, turned].map(|arrangement| write_arrangement(&arrangement));
+    texts.iter().for_each(|text| check_arrangement(text));
+    curves.reverse();
+    for (text, identification) in texts.iter().zip([[-1, 0], [2, 1]]) {
+        let again = write_arrangement(&make(&curves, identification));
+        assert_eq!(String::from_utf8_lossy(&again), String::from_utf8_lossy(text));
+    }
+}
+
+fn is_long_on_sphere(curve: &SphereCurve) -> bool {
+    let is_long = |p: &Direction| p.coordinates().iter().any(|number| number.bit_len() > 1_000);
+    match curve {
+        SphereCurve::Point(p) => is_long(p),
+        SphereCurve::Arc(points) => points.iter().any(is_long),
+        SphereCurve::ArcVia(points) => points.iter().any(is_long),
+        SphereCurve::Polyline(points) => points.iter().any(is_long),
+        SphereCurve::Circle(circle) => is_long(&circle.pole()),
+        _ => false,
+    }
+}
+
+/// Reads bytes as a Gaussian map. A message must be one short line; a map must come back with the text that it is given, and be a model, as far
+/// as memory is allowed for it.
+pub fn check_gaussian_map(bytes: &[u8]) {
+    let map = match read_gaussian_map(bytes, None) {
+        Ok(map) => map,
+        Err(error) => {
+            let message = error.to_string();
+            assert!(message.len() < 600 && !message.contains(char::is_control), "{message:?}");
+            return;
+        }
+    };
+    let text = write_gaussian_map(&map);
+    match read_gaussian_map(&text, None) {
+        Ok(again) => {
+            assert_eq!(String::from_utf8_lossy(&write_gaussian_map(&again)), String::from_utf8_lossy(&text));
+        }
+        // Comments and blanks give a file memory that its own text does not have.
+        Err(error) => {
+            let message = error.to_string();
+            assert!(text.len() < bytes.len() && message.contains("would take more than"), "{message}");
+        }
+    }
+    if let Err(error) = read(&text, None) {
+        let message = error.to_string();
+        assert!(message.contains("would take more than"), "{message}");
+    }
 }
 
 /// Reads bytes as an arrangement. A message must be one short line; an arrangement must come back with the text that it is given.

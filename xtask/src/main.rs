@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `ci` | what continuous integration runs: format, lints, tests, documentation, `tidy` |
 //! | `tidy` | checks the tree against `ARCHITECTURE.md` and the rules for files |
-//! | `tables` | counts the primal columns of thesis tables 3.3 and 3.4 again |
+//! | `tables` | counts and times the tables of the thesis on Minkowski sums again |
 //! | `peers` | times the library and its peers on the same inputs, in one run |
 //! | `readers` | other programs read our files, and we read theirs |
 //! | `bench` | growth of time and memory with the size of the input, and with the width of the coordinates |
@@ -31,11 +31,12 @@ usage: cargo xtask VERB
 
   ci                                         everything that must pass before a change lands
   tidy                                       ARCHITECTURE.md against the tree
-  tables                                     thesis tables 3.3 and 3.4: counted, printed, why they differ
+  tables [counts|times|search]               thesis tables 3.2 to 3.5: counted, printed, why they differ; times beside peers
   peers [--require] [--only PAIR] [--out F]  speed against CGAL, Manifold and SciPy; see peers/README.md
   peers arrangements [the same options]      speed of arrangements against CGAL and GEOS
+  peers proximity [the same options]         speed and depths of moving polytopes against parry3d and coal
   readers [--require]                        files against trimesh, Manifold, assimp and others; see peers/README.md
-  bench [growth|arrangements|editing|location|sphere|widths]
+  bench [growth|arrangements|editing|location|sphere|gauss|widths]
                                              growth of time and memory; widths of coordinates";
 
 fn main() -> ExitCode {
@@ -44,7 +45,7 @@ fn main() -> ExitCode {
     let outcome = match words.as_slice() {
         ["ci"] => ci::run(),
         ["tidy"] => tidy::run(),
-        ["tables"] => tables::run(),
+        ["tables", rest @ ..] => tables::run(rest),
         ["peers", rest @ ..] => peers::run(rest),
         ["readers", rest @ ..] => readers::run(rest),
         // Asked by `readers`, in a release build.

@@ -59,6 +59,17 @@ impl<G: BasicTraits> Pieces<G> {
         Self::default()
     }
 
+    /// Makes room for so many more curves.
+    pub fn reserve(&mut self, curves: usize) {
+        self.curves.reserve(curves);
+        self.is_artificial.reserve(curves);
+    }
+
+    /// Takes the curves and the points out.
+    pub fn into_parts(self) -> (Vec<G::UMonotoneCurve>, Vec<G::Point>) {
+        (self.curves, self.points)
+    }
+
     /// Appends a curve of which both ends are vertices.
     pub fn push_curve(&mut self, curve: G::UMonotoneCurve) {
         self.push_piece(curve, [false; 2]);

@@ -1,11 +1,14 @@
 //! Random curves on small grids, full of degenerate cases, for unit tests of all modules.
 
 use crate::arrangement::Arrangement;
-use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusPath, TorusSegmentTraits};
-use crate::topology::{BoundedPlane, FlatTorus, Site, Topology, UnboundedPlane};
+use crate::models::{
+    Geodesic, GeodesicTraits, Linear, LinearTraits, Segment, SegmentTraits, TorusPath, TorusSegmentTraits,
+};
+use crate::topology::{BoundedPlane, FlatTorus, Site, Sphere, Topology, UnboundedPlane};
 use crate::traits::{ArrangementTraits, BasicTraits, CurveEnd, Location, SideKind, Sides};
 use exact::Rational;
 use exact::planar::Point2;
+use exact::spherical::{Direction, GreatCircle};
 use std::cmp::Ordering;
 
 /// Curves and points of one family, on a surface.
@@ -14,10 +17,10 @@ pub(crate) struct Scene<G: ArrangementTraits, T> {
     pub(crate) traits: G,
     pub(crate) topology: T,
     pub(crate) curves: Vec<G::Curve>,
-    pub(crate) points: Vec<Point2>,
+    pub(crate) points: Vec<G::Point>,
 }
 
-impl<G: ArrangementTraits<Point = Point2> + Clone, T: Topology<G>> Scene<G, T> {
+impl<G: ArrangementTraits + Clone, T: Topology<G>> Scene<G, T> {
     /// The arrangement of all, made by a sweep.
     pub(crate) fn arrangement(&self) -> Arrangement<G, T> {
         let Self { traits, topology, curves, points } = self;
@@ -47,6 +50,19 @@ impl Numbers {
 
     pub(crate) fn point(&mut self, size: [i64; 2]) -> Point2 {
         Point2::from_i64(size.map(|size| self.below(size)))
+    }
+
+    /// A direction in space; often a pole, or on one of two half meridians.
+    pub(crate) fn direction(&mut self, size: i64) -> Direction {
+        let [x, y, z] = [0; 3].map(|_: i64| self.around(size));
+        let vector = match self.below(8) {
+            0 => [0, 0, if z < 0 { -1 } else { 1 }],
+            1 => [-1 - x.abs(), 0, z],
+            2 => [1, 0, z],
+            _ if [x, y, z] == [0; 3] => [0, 0, 1],
+            _ => [x, y, z],
+        };
+        Direction::from_i64(vector).expect("a direction is not zero")
     }
 
     pub(crate) fn some_points(&mut self, size: [i64; 2]) -> Vec<Point2> {
@@ -188,4 +204,33 @@ pub(crate) fn random_cylinder(numbers: &mut Numbers, most: i64) -> Scene<TorusSe
         .collect();
     let points = (0..numbers.below(4)).map(|_| Point2::from_i64(turned(place(numbers)))).collect();
     Scene { traits, topology: cylinder, curves, points }
+}
+
+/// An arc, shorter or longer than half a circle, or just half of one; all round with a vertex or without, and a part of a meridian.
+fn random_geodesic(numbers: &mut Numbers, size: i64) -> Option<Geodesic> {
+    let (p, q) = (numbers.direction(size), numbers.direction(size));
+    let circle = GreatCircle::through(&p, &q);
+    match numbers.below(12) {
+        0 => circle.map(Geodesic::circle),
+        1 => Geodesic::arc_via(p.clone(), &q, p.opposite()).ok(),
+        2 => Geodesic::arc_around(p.clone(), p, circle?).ok(),
+        3 | 4 => Geodesic::arc_around(p, q, circle?.opposite()).ok(),
+        5 | 6 => {
+            let [[x, y, _], [.., z]] = [p.coordinates(), q.coordinates()];
+            Geodesic::arc(p, Direction::new([x, y, z])?).ok()
+        }
+        _ => Geodesic::arc(p, q).ok(),
+    }
+}
+
+/// Arcs and points on a sphere, between few directions.
+pub(crate) fn random_globe(numbers: &mut Numbers, most: i64) -> Scene<GeodesicTraits, Sphere> {
+    const IDENTIFICATIONS: [[i64; 2]; 4] = [[-1, 0], [-1, 0], [0, 1], [2, -1]];
+    let size = 1 + numbers.below(2);
+    let identification = IDENTIFICATIONS[numbers.below(4) as usize].map(Into::into);
+    let traits =
+        GeodesicTraits::with_identification(identification).expect("the identification is not at a pole");
+    let curves = (0..numbers.below(most + 1)).filter_map(|_| random_geodesic(numbers, size)).collect();
+    let points = (0..numbers.below(4)).map(|_| numbers.direction(size)).collect();
+    Scene { traits, topology: Sphere, curves, points }
 }

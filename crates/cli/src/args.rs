@@ -2,9 +2,11 @@
 
 mod check;
 mod names;
+mod verb;
 
 use check::check;
-pub(crate) use names::{CellEncoding, CellFormat, Ray, Strategy, Surface, View};
+pub(crate) use names::{CellEncoding, CellFormat, Method, Ray, Strategy, Surface, View};
+pub(crate) use verb::Verb;
 
 use crate::failure::Failure;
 use lexopt::Arg;
@@ -55,6 +57,21 @@ pub(crate) struct Run {
     pub(crate) strategy: Option<Strategy>,
     /// What is asked: what a ray meets, and not where a point lies.
     pub(crate) ray: Option<Ray>,
+    /// The map on the sides of a cube, and not the one on the sphere.
+    pub(crate) cubical: bool,
+    pub(crate) placing: Placing,
+}
+
+/// Where the second of two polytopes is.
+#[derive(Debug, Default)]
+pub(crate) struct Placing {
+    /// The quaternion by which it is turned about the origin first, not zero.
+    pub(crate) turn: Option<[Rational; 4]>,
+    pub(crate) translation: Option<[Rational; 3]>,
+    /// A direction in which it is to be moved, not zero.
+    pub(crate) along: Option<[Rational; 3]>,
+    /// A file of placements, which stands for the first two.
+    pub(crate) path: Option<Place>,
 }
 
 /// A file, or a standard stream.
@@ -62,23 +79,6 @@ pub(crate) struct Run {
 pub(crate) enum Place {
     Standard,
     File(PathBuf),
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug)]
-pub(crate) enum Verb {
-    Sum,
-    Hull,
-    Info,
-    Convert,
-    Arrange,
-    Locate,
-}
-
-#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
-pub(crate) enum Method {
-    #[default]
-    Overlay,
-    Hull,
 }
 
 /// The parts of a motion, in the order in which they are applied.
@@ -96,61 +96,13 @@ pub(crate) enum Rotation {
     Quaternion([Rational; 4]),
 }
 
-impl Verb {
-    pub(crate) const ALL: [Self; 6] =
-        [Self::Sum, Self::Hull, Self::Info, Self::Convert, Self::Arrange, Self::Locate];
-
-    pub(crate) fn name(self) -> &'static str {
-        match self {
-            Self::Sum => "sum",
-            Self::Hull => "hull",
-            Self::Info => "info",
-            Self::Convert => "convert",
-            Self::Arrange => "arrange",
-            Self::Locate => "locate",
-        }
-    }
-
-    fn options(self) -> &'static [&'static str] {
-        match self {
-            Self::Sum => &["output", "format", "method", "hull", "triangulate", "float", "json", "quiet"],
-            Self::Hull => &["output", "format", "float", "json", "quiet"],
-            Self::Info => &["json", "quiet"],
-            Self::Convert => &[
-                "output",
-                "format",
-                "unit",
-                "scale",
-                "reflect",
-                "rotate",
-                "quat",
-                "translate",
-                "triangulate",
-                "join",
-                "lossy",
-                "float",
-                "json",
-                "quiet",
-            ],
-            Self::Arrange => {
-                &["output", "format", "surface", "period", "identification", "view", "json", "quiet"]
-            }
-            Self::Locate => &["output", "strategy", "ray", "json", "quiet"],
-        }
-    }
-
-    fn from_name(name: &OsStr) -> Option<Self> {
-        Self::ALL.into_iter().find(|verb| name == verb.name())
-    }
-}
-
 /// Reads the words after the program's name.
 pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Command, Failure> {
     let mut parser = lexopt::Parser::from_args(words);
     match parser.next().map_err(|error| lexical(&error, None))? {
-        None => Err(Failure::usage(
-            "a verb is missing: sum, hull, info, convert, arrange or locate; see `splitstar --help`",
-        )),
+        None => {
+            Err(Failure::usage(format!("a verb is missing: {}; see `splitstar --help`", Verb::names("or"))))
+        }
         Some(Short('h') | Long("help")) => Ok(Command::Help(None)),
         Some(Short('V') | Long("version")) => Ok(Command::Version),
         Some(Value(word)) if word == "help" => match parser.next().map_err(|error| lexical(&error, None))? {
@@ -168,8 +120,9 @@ pub(crate) fn parse(words: impl IntoIterator<Item = OsString>) -> Result<Command
 fn verb(word: &OsStr) -> Result<Verb, Failure> {
     Verb::from_name(word).ok_or_else(|| {
         Failure::usage(format!(
-            "unknown verb `{}`; the verbs are sum, hull, info, convert, arrange and locate, see `splitstar --help`",
-            word.to_string_lossy()
+            "unknown verb `{}`; the verbs are {}, see `splitstar --help`",
+            word.to_string_lossy(),
+            Verb::names("and")
         ))
     })
 }
@@ -197,6 +150,8 @@ fn parse_run(verb: Verb, parser: &mut lexopt::Parser) -> Result<Command, Failure
         cells: None,
         strategy: None,
         ray: None,
+        cubical: false,
+        placing: Placing::default(),
     };
     let mut given: Vec<&'static str> = Vec::new();
     while let Some(argument) = parser.next().map_err(|error| lexical(&error, Some(verb)))? {
@@ -239,7 +194,7 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
             }
             run.output = Some(place(&word));
         }
-        "format" if verb == Verb::Arrange => {
+        "format" if matches!(verb, Verb::Arrange | Verb::Gauss) => {
             let word = value()?;
             run.cells = Some(word.to_str().and_then(CellEncoding::from_name).ok_or_else(|| {
                 usage(
@@ -263,14 +218,10 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
         }
         "method" => {
             let word = value()?;
-            run.method = match word.to_str() {
-                Some("overlay") => Method::Overlay,
-                Some("hull") => Method::Hull,
-                _ => {
-                    let word = word.to_string_lossy();
-                    return Err(usage(verb, format!("unknown method `{word}`: overlay or hull")));
-                }
-            };
+            run.method = word.to_str().and_then(Method::from_name).ok_or_else(|| {
+                let names = Method::ALL.map(Method::name).join(", ");
+                usage(verb, format!("unknown method `{}`: {names}", word.to_string_lossy()))
+            })?;
         }
         "scale" => {
             let [scale] = numbers(verb, "--scale", "S", &value()?)?;
@@ -288,11 +239,27 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
             run.motion.rotation = Some(Rotation::Axis { axis, degrees });
         }
         "quat" => {
-            let quaternion: [Rational; 4] = numbers(verb, "--quat", "W,X,Y,Z", &value()?)?;
-            if quaternion.iter().all(Rational::is_zero) {
-                return Err(usage(verb, "the quaternion of `--quat` is zero; 1,0,0,0 does not rotate"));
-            }
+            let quaternion = not_zero(verb, "--quat", "W,X,Y,Z", &value()?, QUATERNION_ZERO)?;
             run.motion.rotation = Some(Rotation::Quaternion(quaternion));
+        }
+        "quat-b" => {
+            let quaternion = not_zero(verb, "--quat-b", "W,X,Y,Z", &value()?, QUATERNION_ZERO)?;
+            run.placing.turn = Some(quaternion);
+        }
+        "move-b" => run.placing.translation = Some(numbers(verb, "--move-b", "X,Y,Z", &value()?)?),
+        "along" => {
+            let zero = "the direction of `--along` is zero; give another one, such as 1,0,0";
+            run.placing.along = Some(not_zero(verb, "--along", "X,Y,Z", &value()?, zero)?);
+        }
+        "path" => {
+            let word = value()?;
+            if word.is_empty() {
+                return Err(usage(
+                    verb,
+                    "the name behind --path is empty; name a file, or - for standard input",
+                ));
+            }
+            run.placing.path = Some(place(&word));
         }
         "translate" => run.motion.translate = Some(numbers(verb, "--translate", "X,Y,Z", &value()?)?),
         "surface" => {
@@ -309,13 +276,8 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
             })?);
         }
         "identification" => {
-            let direction: [Rational; 2] = numbers(verb, "--identification", "X,Y", &value()?)?;
-            if direction.iter().all(Rational::is_zero) {
-                return Err(usage(
-                    verb,
-                    "`--identification 0,0` is no direction; give another one, such as -1,0",
-                ));
-            }
+            let zero = "`--identification 0,0` is no direction; give another one, such as -1,0";
+            let direction = not_zero(verb, "--identification", "X,Y", &value()?, zero)?;
             run.identification = Some(direction);
         }
         "strategy" => {
@@ -341,6 +303,7 @@ fn set(run: &mut Run, option: &'static str, parser: &mut lexopt::Parser) -> Resu
         "reflect" => run.motion.reflect = true,
         "triangulate" => run.triangulate = true,
         "hull" => run.hull = true,
+        "cubical" => run.cubical = true,
         "float" => run.float = true,
         "lossy" => run.lossy = true,
         "join" => run.join = true,
@@ -360,7 +323,7 @@ impl Run {
 
     /// What to write an arrangement as.
     pub(crate) fn cell_encoding(&self) -> CellEncoding {
-        let by_name = || cells_of_name(self.output.as_ref()?).ok();
+        let by_name = || cells_of_name(self.output.as_ref()?, "").ok();
         self.cells.or_else(by_name).unwrap_or(CellEncoding::DEFAULT)
     }
 }
@@ -384,6 +347,24 @@ fn numbers<const N: usize>(
         .map_err(|error| wrong(error.to_string()))?;
     let count = parsed.len();
     <[Rational; N]>::try_from(parsed).map_err(|_| wrong(format!("{count} numbers given")))
+}
+
+/// What is said of a zero quaternion, with the option for `{}`.
+const QUATERNION_ZERO: &str = "the quaternion of `{}` is zero; 1,0,0,0 does not rotate";
+
+/// Numbers that are not all zero, or the usage error that says so.
+fn not_zero<const N: usize>(
+    verb: Verb,
+    option: &str,
+    shape: &str,
+    value: &OsStr,
+    zero: &str,
+) -> Result<[Rational; N], Failure> {
+    let numbers: [Rational; N] = numbers(verb, option, shape, value)?;
+    if numbers.iter().all(Rational::is_zero) {
+        return Err(usage(verb, zero.replace("{}", option)));
+    }
+    Ok(numbers)
 }
 
 fn usage(verb: Verb, sentence: impl std::fmt::Display) -> Failure {

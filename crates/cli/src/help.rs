@@ -11,8 +11,10 @@ pub(crate) fn text(verb: Option<Verb>) -> &'static str {
         Some(Verb::Hull) => HULL,
         Some(Verb::Info) => INFO,
         Some(Verb::Convert) => CONVERT,
+        Some(Verb::Distance) => DISTANCE,
         Some(Verb::Arrange) => ARRANGE,
         Some(Verb::Locate) => LOCATE,
+        Some(Verb::Gauss) => GAUSS,
     }
 }
 
@@ -26,8 +28,10 @@ verbs:
   hull     the convex hull of the points of one or more files
   info     what a file is: format, counts, dimension, convexity, volume, bounds
   convert  another format; scale, reflect, rotate, move, triangulate; any mesh
+  distance whether two convex polytopes overlap, how far apart they are, how deep they overlap
   arrange  the arrangement of curves in the plane, on a torus or on the sphere: counts, cells, a picture
   locate   in which cells of an arrangement points lie, or what is above or below them
+  gauss    the Gaussian map of a convex polytope, on the sphere or on a cube: counts, cells, a picture
 
   splitstar VERB --help tells all about a verb, with an example.
 
@@ -60,9 +64,12 @@ usage: splitstar sum A B [C ...] -o OUT [OPTIONS]
   A B C ...         files of convex polytopes of dimension 0 to 3; `-` is standard input
   -o, --output OUT  where to write the sum; `-` is standard output
   --format FORMAT   what to write; without it the ending of OUT decides (off where it has none)
-  --method METHOD   overlay: walk over both Gaussian maps (default)
-                    hull: convex hull of all sums of vertices, slower, the check of the other;
-                    takes fewer than 2^28 sums
+  --method METHOD   all give the same polytope; the slower ones check the others:
+                    overlay  walk over both Gaussian maps (default, the fastest)
+                    sgm      overlay of the Gaussian maps as arrangements on the sphere
+                    cgm      the same on the six sides of a cube
+                    lp       from vertex to vertex of the sum by linear programs
+                    hull     convex hull of all sums of vertices; fewer than 2^28 of them
   --hull            take the convex hull of a file that is not convex, and tell how far a vertex
                     of the mesh lies inside it at most
   --triangulate     cut facets into triangles first; the way out for facets that are not planar
@@ -155,6 +162,35 @@ example:
   splitstar convert cube.off -o turned.off --scale 1/2 --rotate 0,0,1,30 --translate -1,0,0.5
 ";
 
+const DISTANCE: &str = "\
+splitstar distance: whether two convex polytopes overlap, how far apart, how deep, exact
+
+usage: splitstar distance A B [OPTIONS]
+
+  A B               files of convex polytopes of dimension 0 to 3; `-` is standard input
+  --quat-b W,X,Y,Z  turn B about the origin by a quaternion, exactly; its length does not matter
+  --move-b X,Y,Z    then move it
+  --along X,Y,Z     tell how many times B must be moved by X,Y,Z until they overlap no more
+  --path FILE       many placements instead, one a line: X Y Z, or X Y Z W X Y Z with a
+                    quaternion; `#` starts a comment. Prints one line, or one object, for each
+  --hull            take the convex hull of a file that is not convex, and tell how far a vertex
+                    of the mesh lies inside it at most
+  --triangulate     cut facets into triangles first; the way out for facets that are not planar
+  --json            a JSON object for each placement: relation, squared distance, squared
+                    penetration, closest points, features
+  -q, --quiet       no notes, no progress bar
+
+The relation is disjoint, touching (only boundaries meet) or overlapping (interiors meet). A point,
+a segment and a polygon overlap a solid if they meet its interior. The penetration is the length of
+the shortest move of B that ends the overlap; its direction is told. Roots may be irrational: the
+squares are exact. Witnesses are features by the numbers of their vertices in the files. A line of
+--path is the relation, the square of distance or penetration, and with --along the number of times.
+
+example:
+  splitstar distance cube.off octahedron.off --move-b 3,0,1/2 --along 0,0,1
+  splitstar distance cube.off octahedron.off --path motion.txt
+";
+
 const ARRANGE: &str = "\
 splitstar arrange: the arrangement of curves in the plane, on a flat torus or on the sphere, exact
 
@@ -222,4 +258,36 @@ file of the arrangement.
 example:
   splitstar locate curves.star points.txt
   echo 1/2 0.25 | splitstar locate curves.star - --ray up
+";
+
+const GAUSS: &str = "\
+splitstar gauss: the Gaussian map of a convex polytope, exact
+
+usage: splitstar gauss A [-o OUT.star|OUT.svg] [OPTIONS]
+
+  A                 a file of a convex polytope of dimension 0 to 3, or of a Gaussian map; `-` is
+                    standard input
+  -o, --output OUT  where to write the map; `-` is standard output. Without it only the numbers of
+                    its cells are printed
+  --format FORMAT   star: all cells with the vertices of the polytope, exact; svg: a picture; each
+                    also with .gz behind it (svg.gz); without it the ending of OUT decides (star
+                    where it has none)
+  --cubical         the map projected to the six sides of a cube, and not that on the sphere
+  --identification X,Y  the half circle from pole to pole through (X, Y, 0), where the sphere is cut
+                    open (-1,0): what is artificial depends on it, nothing else
+  --view VIEW       what a picture of the sphere shows: globe (two hemispheres, default) or unfolded
+                    (longitude and latitude); a cube is shown as the cross of its sides
+  --hull            take the convex hull of a file that is not convex
+  --triangulate     cut facets into triangles first; the way out for facets that are not planar
+  --json            one JSON object on standard output: numbers of cells, times
+  -q, --quiet       no notes, no summary, no progress bar
+
+A facet of the polytope is a vertex of the map (its outer normal), an edge is an edge, a vertex is a
+face. The numbers with splits count what is artificial, too: where the sphere is cut open, and the
+edges of the cube. `sum`, `info`, `hull` and `convert` read the file of a map as its polytope.
+
+example:
+  splitstar gauss cube.off -o cube.svg
+  splitstar gauss cube.off --cubical -o cube.star
+  splitstar sum cube.star octahedron.off -o sum.off
 ";

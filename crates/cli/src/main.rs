@@ -15,7 +15,9 @@ mod failure;
 mod help;
 mod input;
 mod located;
+mod map;
 mod output;
+mod placed;
 mod points;
 mod report;
 mod verbs;
@@ -49,8 +51,10 @@ fn run() -> Result<(), Failure> {
                 Verb::Hull => verbs::hull(&run),
                 Verb::Info => verbs::info(&run),
                 Verb::Convert => verbs::convert(&run),
+                Verb::Distance => verbs::distance(&run),
                 Verb::Arrange => verbs::arrange(&run),
                 Verb::Locate => verbs::locate(&run),
+                Verb::Gauss => verbs::gauss(&run),
             }
         }
     }

@@ -39,12 +39,15 @@ impl Points {
 }
 
 impl ArrangementOperand {
-    /// Reads and checks a star file or standard input.
-    pub(crate) fn read(place: &Place, console: &Console) -> Result<Self, Failure> {
+    /// Reads and checks a star file or standard input. `other` is the operand of the points: both may be exchanged.
+    pub(crate) fn read(place: &Place, other: &Place, console: &Console) -> Result<Self, Failure> {
         let bytes = input::bytes(place, console, check_arrangement)?;
         let name = place.shown();
         let read = formats::read_numbered_arrangement(&bytes, place.file_name().as_deref());
         let (arrangement, numbers) = read.map_err(|error| {
+            if let Some(sentence) = advice_for_points(&bytes, &name, other) {
+                return Failure::file(&name, None, sentence);
+            }
             if let Some(options) = input::options_for_curves(&bytes) {
                 let sentence = format!(
                     "a file of curves, not an arrangement; `splitstar arrange {name}{options} -o OUT.star` makes one"
@@ -112,6 +115,30 @@ impl PointOperand {
         };
         Err(Failure::file(&self.name, None, sentence))
     }
+}
+
+/// What is said where an arrangement was expected, if the file has points to be asked about.
+fn advice_for_points(bytes: &[u8], name: &str, other: &Place) -> Option<String> {
+    let is_of_points = formats::read_points(bytes, None).is_ok_and(|file| !file.points.is_empty())
+        || formats::read_sphere_points(bytes, None).is_ok_and(|file| !file.points.is_empty());
+    if !is_of_points {
+        return None;
+    }
+    // Standard input is not waited for.
+    let first = match other {
+        Place::File(path) if !matches!(path.metadata(), Ok(of) if of.is_file()) => None,
+        Place::File(path) => std::fs::read(path).ok(),
+        Place::Standard => None,
+    };
+    Some(match first.filter(|first| formats::read_arrangement(first, None).is_ok()) {
+        Some(_) => {
+            let other = other.shown();
+            format!("a file of points, not an arrangement; exchange both: `splitstar locate {other} {name}`")
+        }
+        None => "a file of points, not an arrangement; give a star file, as `splitstar arrange CURVES -o OUT.star` writes it, \
+                 and behind it the points"
+            .into(),
+    })
 }
 
 fn check_arrangement(start: &[u8], file_name: Option<&str>) -> Result<(), ReadError> {

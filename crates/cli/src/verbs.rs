@@ -2,6 +2,8 @@
 
 mod arrange;
 mod convert;
+mod distance;
+mod gauss;
 mod hull;
 mod info;
 mod locate;
@@ -9,6 +11,8 @@ mod sum;
 
 pub(crate) use arrange::arrange;
 pub(crate) use convert::convert;
+pub(crate) use distance::distance;
+pub(crate) use gauss::gauss;
 pub(crate) use hull::hull;
 pub(crate) use info::info;
 pub(crate) use locate::locate;
@@ -50,22 +54,6 @@ impl<'a> Job<'a> {
         let seconds = Seconds { read: clock.lap(), ..Seconds::default() };
         console.step(run.verb.name());
         Ok(Self { run, output, operands, console, clock, seconds })
-    }
-
-    /// The unit that the operands have; those without one have that of the others.
-    fn unit(&self) -> Result<Option<Unit>, Failure> {
-        let mut units = self.operands.iter().filter_map(|operand| Some((operand, operand.read.model.unit?)));
-        let Some((first, unit)) = units.next() else { return Ok(None) };
-        match units.find(|(_, other)| *other != unit) {
-            None => Ok(Some(unit)),
-            Some((operand, other)) => Err(operand.failure(
-                None,
-                format!(
-                    "its unit is {other}, that of {} is {unit}; `splitstar convert --unit {unit}` makes them one",
-                    first.name
-                ),
-            )),
-        }
     }
 
     /// Writes the result, and says what it is.
@@ -149,6 +137,22 @@ impl<'a> Job<'a> {
         let verb = self.run.verb.name();
         let method = if outcome.method == verb { String::new() } else { format!(" ({})", outcome.method) };
         format!("{verb}{method}: {what}: {file}, {:.3} s", read + compute + write)
+    }
+}
+
+/// The unit that operands have; those without one have that of the others.
+fn common_unit(operands: &[Operand]) -> Result<Option<Unit>, Failure> {
+    let mut units = operands.iter().filter_map(|operand| Some((operand, operand.read.model.unit?)));
+    let Some((first, unit)) = units.next() else { return Ok(None) };
+    match units.find(|(_, other)| *other != unit) {
+        None => Ok(Some(unit)),
+        Some((operand, other)) => Err(operand.failure(
+            None,
+            format!(
+                "its unit is {other}, that of {} is {unit}; `splitstar convert --unit {unit}` makes them one",
+                first.name
+            ),
+        )),
     }
 }
 

@@ -9,6 +9,8 @@
 //! | [`filter`], [`fixed`], [`interval`] | the numbers of the tiers |
 //! | [`planar`] | exact points and lines of the plane: crossings, their order, sides |
 //! | [`spherical`] | exact directions and great circles of the sphere: crossings, their order, sides |
+//! | [`gnomonic`] | the central projection of the sphere to the sides of a cube |
+//! | [`proximity`] | one point and many planes: sides, depths |
 //! | [`Quaternion`], [`Affine3`], [`Linear3`] | exact rotations and affine maps |
 //!
 //! No decision is made with a tolerance, and nothing is rounded except by methods called `approx_*`. This crate knows no geometry
@@ -21,6 +23,7 @@ mod affine;
 pub mod filter;
 pub mod fixed;
 mod gcd;
+pub mod gnomonic;
 mod integer;
 pub mod interval;
 mod parse;
@@ -28,6 +31,7 @@ pub mod planar;
 mod plane;
 mod point;
 pub mod predicate;
+pub mod proximity;
 mod quaternion;
 mod rational;
 mod sign;

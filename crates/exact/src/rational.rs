@@ -151,7 +151,7 @@ pub(crate) fn approx_quotient(numerator: &Integer, denominator: &Integer) -> f64
 }
 
 /// 2^exponent, for -1022 <= exponent <= 1023.
-fn power_of_two(exponent: i64) -> f64 {
+pub(crate) fn power_of_two(exponent: i64) -> f64 {
     f64::from_bits(((exponent + 1023) as u64) << 52)
 }
 

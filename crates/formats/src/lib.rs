@@ -11,7 +11,9 @@
 //! | cells | `complex` | what only the native format can say |
 //! | formats | `off`, `obj`, `stl`, `ply`, `threemf`, `gltf`, `vrml`, `star`, `gzip` | one folder each |
 //! | arrangements | `star` | the native format, kind `arrangement`: [`read_arrangement`], [`read_numbered_arrangement`], [`write_arrangement`] |
+//! | Gaussian maps | `star` | the native format, kind `gaussian`: [`read_gaussian_map`], [`write_gaussian_map`]; [`read`] gives the polytope |
 //! | curves | `curves` | curves of the plane or of a torus, for arrangements: own text, WKT, GeoJSON; [`read_curves`], [`write_curves`]; points to ask about: [`read_points`]; on the sphere: [`read_sphere_curves`], [`read_sphere_points`], [`write_sphere_curves`] |
+//! | placements | `placements` | rotations and translations of a model, one placement a line: [`read_placements`] |
 //! | from the ones to the others | `arrange` | [`StarArrangement::of_curves`] |
 //! | doors | `format`, `read`, `write` | which format a model has, and the way there and back |
 //!
@@ -40,6 +42,7 @@ mod gltf;
 mod gzip;
 mod obj;
 mod off;
+mod placements;
 mod ply;
 mod read;
 mod star;
@@ -62,10 +65,11 @@ pub use curves::{
 };
 pub use format::{Encoding, Format};
 pub use gzip::pack as pack_gzip;
+pub use placements::{FilePlacement, read_placements};
 pub use read::{check_start, read};
 pub use star::{
     CellNumbers, LinearArrangement, PolycurveArrangement, SphereArrangement, SpherePolycurveArrangement,
-    StarArrangement, StarText, TorusArrangement, TorusPolycurveArrangement, read_arrangement,
-    read_numbered_arrangement, write_arrangement,
+    StarArrangement, StarGaussianMap, StarText, TorusArrangement, TorusPolycurveArrangement,
+    read_arrangement, read_gaussian_map, read_numbered_arrangement, write_arrangement, write_gaussian_map,
 };
 pub use write::{WriteError, WriteNote, WriteOptions, Written, objects_of_triangles, write};

@@ -115,6 +115,9 @@ impl<'a> CellGraph<'a, Faces> {
 impl<'a, D, N, E> CellGraph<'a, Vertices, D, N, E> {
     /// The same with the vertices that stand for open sides of the parameter space as nodes: with the vertex at infinity, and all edges. It
     /// is there even if no curve is unbounded.
+    ///
+    /// Where no side is open, as in the bounded plane, on a torus and on a sphere, nothing changes: a pole is a point, and no node while
+    /// nothing is there.
     pub fn with_infinity(mut self) -> Self {
         self.base.cells.at_infinity = 0;
         self

@@ -7,6 +7,8 @@
 //! | `triangulate` | facets cut into triangles, with holes or without |
 //! | `hull` | the convex hull of any finite point set |
 //! | `overlay`, `sum` | the Minkowski sum by the overlay of Gaussian maps |
+//! | `lp` | the Minkowski sum by linear programming, all summands at once |
+//! | `maximal` | polytopes whose sums have the greatest number of facets, and that number |
 
 #[cfg(feature = "faults")]
 pub mod fault;
@@ -15,6 +17,8 @@ mod fault;
 
 mod facets;
 mod hull;
+mod lp;
+mod maximal;
 mod measure;
 mod mesh;
 mod overlay;
@@ -26,6 +30,8 @@ mod validity;
 mod vectors;
 
 pub use facets::Facets;
+pub use lp::minkowski_sum_by_lp;
+pub use maximal::{MaximalError, max_facets, maximal_polytope, maximal_summands};
 pub use measure::Bounds;
 pub use mesh::{Hole, Mended, Mending, MeshError, MeshSummary, Note, corner_off_plane, hull_depth};
 pub use overlay::OverlayCounts;

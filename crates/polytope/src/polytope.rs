@@ -114,6 +114,31 @@ impl Polytope {
         Self { dimension: 2, points, mesh, vectors: LazyVectors::given(edges, normals) }
     }
 
+    /// Makes a polytope of dimension 3 of facets of which the caller knows that they bound a convex solid: strictly convex cycles, counterclockwise seen
+    /// from outside, no two coplanar, and all points on them. A mesh from anywhere else is for [`Polytope::from_mesh`].
+    ///
+    /// # Panics
+    /// If the facets do not form a closed surface with all points on it; in debug builds, if they are not those of a convex solid. In others the
+    /// polytope is not [valid](Polytope::check_valid) then.
+    ///
+    /// # Complexity
+    /// Linear; in debug builds that of [`Polytope::check_valid`].
+    ///
+    /// ```
+    /// use exact::Point3;
+    /// use splitstar_polytope::{Facets, Polytope};
+    /// let points = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map(Point3::from_i64);
+    /// let mut facets = Facets::new();
+    /// [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]].iter().for_each(|cycle| facets.push(cycle));
+    /// let tetrahedron = Polytope::from_trusted_facets(points.to_vec(), &facets);
+    /// assert_eq!(tetrahedron.volume().to_string(), "1/6");
+    /// ```
+    pub fn from_trusted_facets(points: Vec<Point3>, facets: &Facets) -> Self {
+        let polytope = Self::from_convex_facets(points, facets);
+        debug_assert_eq!(polytope.check_valid(), [], "the facets bound a convex solid");
+        polytope
+    }
+
     /// From facets that bound a convex solid: strictly convex cycles, counterclockwise seen from
     /// outside, no two coplanar.
     pub(crate) fn from_convex_facets(points: Vec<Point3>, facets: &Facets) -> Self {

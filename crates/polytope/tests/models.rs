@@ -84,6 +84,7 @@ fn every_sum_by_hull_in_both_orders_and_turned() {
             let turn = rotation(*quaternion);
             let turned = minkowski_sum_by_hull(&[&p.transformed(&turn), &q.transformed(&turn)]);
             row.check(&turned, "by hull, turned");
+            assert!(turned.same_set(&sum.transformed(&turn)), "{} turned by {quaternion:?}", row.name());
         }
     }
 }

@@ -98,6 +98,9 @@ const FIRST: [[f64; 2]; 8] = [
     [0.290, 0.08],
 ];
 
+/// The first colours by their hues, blue, yellow, red and green: those of one hue differ in lightness.
+pub(crate) const HUES: [u8; 8] = [0, 1, 2, 3, 0, 0, 2, 1];
+
 /// 2^32 times the golden angle, in turns.
 const GOLDEN: u32 = 0x61C8_8647;
 /// The lightness of the colours after the first ones goes through these: great steps, dark and light in turn.
@@ -253,6 +256,16 @@ mod tests {
                 }
                 assert!(near > least, "{tone:?} {sight}: {near}");
                 assert!(first > among_eight, "{tone:?} {sight}: {first} among the first eight");
+            }
+        }
+    }
+
+    #[test]
+    fn colours_of_one_hue_are_near_on_the_circle() {
+        for (i, [a, _]) in FIRST.iter().enumerate() {
+            for (j, [b, _]) in FIRST.iter().enumerate() {
+                let turn = (a - b).abs();
+                assert_eq!(turn.min(1.0 - turn) < 0.1, HUES[i] == HUES[j], "{i} {j}");
             }
         }
     }

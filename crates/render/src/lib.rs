@@ -8,6 +8,7 @@
 //! | `scene` | shapes, layers and the scene |
 //! | `svg` | the writer of SVG |
 //! | `arrangement` | scenes of arrangements: of the plane, of a torus, of a sphere unfolded and as a globe |
+//! | `cube` | scenes of maps on the sides of a cube |
 //! | `trig` | cosine and sine, the same on every machine |
 //!
 //! Here, and only here, a point is a pair of doubles: a picture decides nothing. Coordinates are those of the
@@ -32,6 +33,7 @@
 mod arrangement;
 mod clip;
 mod colour;
+mod cube;
 mod error;
 mod frame;
 mod scene;

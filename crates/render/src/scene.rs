@@ -271,8 +271,9 @@ impl Scene {
         &self.frame
     }
 
-    /// Whether coordinates differ too little for a picture: the scene was made of an arrangement whose extent is below 1e-9 of
-    /// its largest coordinate. What is different may then be drawn in one place.
+    /// Whether coordinates differ too little for a picture: the scene was made of an arrangement of the plane whose extent is below
+    /// 1e-9 of its largest coordinate, or of one on a sphere with faces too narrow, or vertices too near to a pole, for doubles. What is
+    /// different may then be drawn in one place, and a face where there is none of it.
     pub fn is_collapsed(&self) -> bool {
         self.is_collapsed
     }

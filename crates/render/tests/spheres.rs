@@ -7,6 +7,7 @@ use arrangement::models::{Geodesic, GeodesicTraits};
 use arrangement::topology::Sphere;
 use splitstar_render::{Frame, GlobeOptions, Point, RenderError, Scene, Shape, SvgOptions};
 
+#[allow(dead_code, reason = "other tests use more of it")]
 mod geodesics;
 #[allow(dead_code, reason = "other tests use more of it")]
 mod model;

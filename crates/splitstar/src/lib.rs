@@ -1,4 +1,4 @@
-//! Exact computational geometry: convex hulls and Minkowski sums of polytopes, arrangements of curves, with every decision
+//! Exact computational geometry: convex hulls, Minkowski sums and distances of polytopes, arrangements of curves, with every decision
 //! exact.
 //!
 //! This crate has no code of its own. It joins the crates of the project under one name, each as a module, and
@@ -9,8 +9,11 @@
 //! | [`exact`] | integers, rationals, vectors, points, planes, rotations, predicates |
 //! | [`dcel`] | halfedge connectivity: what is next to what |
 //! | [`arrangement`] | arrangements of curves in the plane, on a torus and on the sphere: traits, sweep, overlay, editing, zones, history |
+//! | [`cubical`] | arrangements of geodesic arcs on the sides of a cube |
 //! | [`polytope`] | polytopes and meshes, convex hulls, Minkowski sums |
-//! | [`formats`] | files of models (OFF, OBJ, STL, PLY, 3MF, VRML, glTF, star), of curves (text, WKT, GeoJSON) and of arrangements (star), read and written |
+//! | [`gauss`] | Gaussian maps as arrangements, on the sphere and on the sides of a cube |
+//! | [`proximity`] | whether two polytopes overlap, how far apart they are, how deep they overlap |
+//! | [`formats`] | files of models (OFF, OBJ, STL, PLY, 3MF, VRML, glTF, star), of curves (text, WKT, GeoJSON) and of arrangements (star), read and written; placements, read |
 //! | [`render`] | pictures, as SVG |
 //! | [`graph`] | arrangements and their duals as graphs of `petgraph` |
 //!
@@ -22,7 +25,7 @@
 //! splitstar = { path = "splitstar/crates/splitstar" }
 //! ```
 //!
-//! these are `splitstar::arrangement::`, `splitstar::exact::`, `splitstar::dcel::`, `splitstar::polytope::`, `splitstar::formats::`, `splitstar::render::` and `splitstar::graph::`.
+//! these are `splitstar::arrangement::`, `splitstar::exact::`, `splitstar::dcel::`, `splitstar::polytope::`, `splitstar::cubical::`, `splitstar::gauss::`, `splitstar::proximity::`, `splitstar::formats::`, `splitstar::render::` and `splitstar::graph::`.
 //!
 //! # A convex hull
 //!
@@ -59,6 +62,30 @@
 //! let sum = minkowski_sum(&[&tetrahedron, &tetrahedron.transformed(&turn)]);
 //! assert!(sum.check_valid().is_empty());
 //! # Ok::<(), splitstar::exact::ZeroAxis>(())
+//! ```
+//!
+//! # How far apart
+//!
+//! Two polytopes, the second moved: disjoint, touching or overlapping, at an exact distance or depth.
+//!
+//! ```
+//! use splitstar::prelude::*;
+//! use splitstar::proximity::{Relation, RelativePlacement, Translation};
+//!
+//! let corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]].map(Point3::from_i64);
+//! let tetrahedron = convex_hull(&corners).expect("there are points");
+//! let both = RelativePlacement::new(&tetrahedron, &tetrahedron);
+//!
+//! let apart = Translation::from_i64([1, 1, 1]);
+//! let separation = both.separation(&apart, None);
+//! assert_eq!(separation.relation(), Relation::Disjoint);
+//! assert_eq!(separation.squared_distance().to_string(), "4/3");
+//!
+//! // From where the last question has ended.
+//! let inside = Translation::new(&["0.25".parse()?, "0".parse()?, "0".parse()?]);
+//! let depth = both.minimum_penetration(&inside, Some(separation.witness())).expect("they overlap");
+//! assert_eq!(depth.squared_depth().to_string(), "3/16");
+//! # Ok::<(), splitstar::exact::ParseNumberError>(())
 //! ```
 //!
 //! # An arrangement
@@ -111,10 +138,11 @@
 //! called `approx_*` and by writing floats on request. Degenerate input is no error. Malformed input is an error
 //! that names the place, and no input panics, unless the documentation of the function says so.
 
-// The examples of the README are tests of this crate.
+// The examples of the README and of the page on Gaussian maps are tests of this crate.
 #![cfg_attr(doctest, doc = include_str!("../../../README.md"))]
+#![cfg_attr(doctest, doc = include_str!("../../../docs/gauss.md"))]
 
-pub use {arrangement, dcel, exact, formats, graph, polytope, render};
+pub use {arrangement, cubical, dcel, exact, formats, gauss, graph, polytope, proximity, render};
 
 /// The names that most programs need: `use splitstar::prelude::*`.
 ///

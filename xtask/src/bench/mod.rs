@@ -6,6 +6,7 @@
 //! | `arrangements` | short segments of growing number: time per event |
 //! | `editing` | curves inserted one by one into growing arrangements, faces with thousands of holes: time and counted work per step (`counted`) |
 //! | `location` | points in growing arrangements: time and predicates per query |
+//! | `gauss` | Gaussian maps of geodesic spheres of growing size, on the sphere and on a cube: time per feature |
 //! | `sphere` | random arcs on a sphere: time and counted work of a sweep, of insertion one by one, and of queries |
 //! | `widths` | a histogram of coordinate widths, and the speed at given widths |
 //!
@@ -17,6 +18,7 @@
 mod arrangements;
 mod counted;
 mod editing;
+mod gauss;
 mod growth;
 mod location;
 mod sphere;
@@ -36,7 +38,7 @@ use crate::{Failure, shell};
 /// If an input cannot be written or summed.
 pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
     match words {
-        [] => [growth::run, arrangements::run, editing::run, location::run, sphere::run, widths::run]
+        [] => [growth::run, arrangements::run, editing::run, location::run, sphere::run, gauss::run, widths::run]
             .iter()
             .try_for_each(|run| run()),
         ["growth"] => growth::run(),
@@ -44,11 +46,12 @@ pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
         ["editing"] => editing::run(),
         ["location"] => location::run(),
         ["sphere"] => sphere::run(),
+        ["gauss"] => gauss::run(),
         ["widths"] => widths::run(),
         ["--case", a, b] => case(&[PathBuf::from(a), PathBuf::from(b)]),
         ["repeat", a, b, times] => repeat(&[PathBuf::from(a), PathBuf::from(b)], times.parse()?),
         _ => {
-            Err("usage: cargo xtask bench [growth|arrangements|editing|location|sphere|widths|repeat A B N]"
+            Err("usage: cargo xtask bench [growth|arrangements|editing|location|sphere|gauss|widths|repeat A B N]"
                 .into())
         }
     }
@@ -57,7 +60,7 @@ pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
 /// Sums two files that many times.
 fn repeat(operands: &[PathBuf; 2], times: usize) -> Result<(), Failure> {
     let measured = library::measured_sum(operands, times, 0.0)?;
-    let [build, sum] = measured.phases;
+    let [build, _, sum] = measured.phases;
     println!("{}: {:.6} s (operands {build:.6}, sum {sum:.6})", measured.sum, measured.seconds);
     Ok(())
 }
@@ -80,7 +83,7 @@ fn case(operands: &[PathBuf; 2]) -> Result<(), Failure> {
     let peak = peak_kib()?;
     let many = library::measured_sum(operands, 3, 1.0)?;
     let features: usize = once.operands.iter().chain([&once.sum]).map(|counts| counts.features()).sum();
-    let [operands, sum] = many.phases;
+    let [operands, _, sum] = many.phases;
     let answer = json!({
         "features": features,
         "seconds": many.seconds,

@@ -6,9 +6,11 @@
 //! | `setup` | builds the CGAL drivers, makes the Python environment, writes the inputs |
 //! | `report` | the table, the ratios, and the dated JSON |
 //! | `arrangements` | the same for arrangements: `cargo xtask peers arrangements` |
+//! | `proximity` | the same for distances and depths: `cargo xtask peers proximity` |
 
 pub(crate) mod arrangements;
 mod pairs;
+mod proximity;
 mod report;
 mod setup;
 
@@ -17,7 +19,7 @@ use std::process::Command;
 
 use serde_json::{Value, json};
 
-use crate::library::{self, Counts};
+use crate::library::{self, Counts, Measured};
 use crate::{Failure, shell};
 use pairs::{Method, Pair};
 use setup::Tools;
@@ -54,7 +56,7 @@ struct Options {
     out: Option<PathBuf>,
 }
 
-/// Runs all pairs, prints the table and writes the results; or does so for arrangements.
+/// Runs all pairs, prints the table and writes the results; or does so for arrangements, or for proximity.
 ///
 /// # Errors
 /// If an option is wrong, or the library fails; with `--require` also if a peer is missing or fails, exact counts disagree, or a
@@ -62,6 +64,9 @@ struct Options {
 pub(crate) fn run(words: &[&str]) -> Result<(), Failure> {
     if let ["arrangements", rest @ ..] = words {
         return arrangements::run(rest);
+    }
+    if let ["proximity", rest @ ..] = words {
+        return proximity::run(rest);
     }
     let options = options(words)?;
     let wanted: Vec<&'static Pair> = pairs::PAIRS
@@ -122,25 +127,15 @@ fn options(words: &[&str]) -> Result<Options, Failure> {
 fn outcome(pair: &'static Pair, tools: &Tools) -> Result<Outcome, Failure> {
     println!("{} ...", pair.name);
     let operands = [pair.a.path(), pair.b.path()];
-    let measured = library::measured_sum(&operands, LEAST, BUDGET)?;
-    let ours = Run {
-        method: None,
-        seconds: measured.seconds,
-        counts: Some(measured.sum),
-        record: json!({
-            "method": "splitstar",
-            "version": env!("CARGO_PKG_VERSION"),
-            "repetitions": measured.repetitions,
-            "seconds": measured.seconds,
-            "fastest": measured.fastest,
-            "phases": { "polytopes": measured.phases[0], "sum": measured.phases[1] },
-            "vertices": measured.sum.vertices,
-            "edges": measured.sum.edges,
-            "facets": measured.sum.facets,
-        }),
-    };
+    let measured = library::measured_sum_by(pair.by, &operands, LEAST, BUDGET)?;
+    let ours = our_run(None, pair.by, &measured);
     let mut outcome = Outcome { pair, ours, peers: Vec::new(), troubles: Vec::new() };
     for &method in pair.methods {
+        if method == Method::OurSgm {
+            let measured = library::measured_sum_by(library::Method::Sgm, &operands, LEAST, BUDGET)?;
+            outcome.peers.push(our_run(Some(method), library::Method::Sgm, &measured));
+            continue;
+        }
         let Some(mut command) = tools.command(method) else { continue };
         match peer(&mut command, method, &operands) {
             Ok(run) => {
@@ -156,6 +151,51 @@ fn outcome(pair: &'static Pair, tools: &Tools) -> Result<Outcome, Failure> {
         }
     }
     Ok(outcome)
+}
+
+/// What we did.
+fn our_run(method: Option<Method>, by: library::Method, measured: &Measured) -> Run {
+    let [polytopes, maps, sum] = measured.phases;
+    Run {
+        method,
+        seconds: measured.seconds,
+        counts: Some(measured.sum),
+        record: json!({
+            "method": format!("splitstar, {}", by.name()),
+            "version": env!("CARGO_PKG_VERSION"),
+            "repetitions": measured.repetitions,
+            "seconds": measured.seconds,
+            "fastest": measured.fastest,
+            "phases": { "polytopes": polytopes, "maps": maps, "sum": sum },
+            "vertices": measured.sum.vertices,
+            "edges": measured.sum.edges,
+            "facets": measured.sum.facets,
+        }),
+    }
+}
+
+/// CGAL's drivers of sums, for other tasks.
+#[derive(Debug)]
+pub(crate) struct Cgal(Result<PathBuf, String>);
+
+impl Cgal {
+    /// Builds a driver, or says why not.
+    pub(crate) fn new(driver: &str) -> Self {
+        Self(setup::cgal(&[driver]).map(|folder| folder.join(driver)).map_err(|failure| failure.to_string()))
+    }
+
+    /// The seconds of a sum, repeated so often at least and for about so many seconds.
+    ///
+    /// # Errors
+    /// Why there are none, in one sentence.
+    pub(crate) fn seconds(&self, operands: &[PathBuf], least: usize, budget: f64) -> Result<f64, String> {
+        let driver = self.0.as_ref().map_err(String::clone)?;
+        let mut command = shell::program(driver);
+        command.args(operands).arg(least.to_string()).arg(budget.to_string());
+        let text = shell::output(&mut command).map_err(|failure| failure.to_string())?;
+        let record: Value = serde_json::from_str(text.trim()).map_err(|error| error.to_string())?;
+        record["seconds"].as_f64().ok_or_else(|| "the driver gave no time".to_owned())
+    }
 }
 
 /// Runs one driver; it prints one JSON object.

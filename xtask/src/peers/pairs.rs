@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use crate::library;
 use crate::shell;
 use crate::solids::{self, Solid};
 
@@ -16,6 +17,8 @@ pub(super) enum Method {
     Manifold,
     /// SciPy, convex hull of all pairwise sums, floating point.
     Scipy,
+    /// Our own spherical maps, beside those on a cube.
+    OurSgm,
 }
 
 impl Method {
@@ -32,6 +35,7 @@ impl std::fmt::Display for Method {
             Method::Hull => "CGAL hull",
             Method::Manifold => "Manifold",
             Method::Scipy => "SciPy hull",
+            Method::OurSgm => "our SGM",
         })
     }
 }
@@ -83,6 +87,8 @@ pub(super) struct Pair {
     pub(super) name: &'static str,
     pub(super) a: Operand,
     pub(super) b: Operand,
+    /// How we sum.
+    pub(super) by: library::Method,
     pub(super) methods: &'static [Method],
     pub(super) requirements: &'static [Requirement],
 }
@@ -92,11 +98,12 @@ const fn times(factor: f64, than: &'static [Method]) -> Requirement {
 }
 
 /// All pairs, from small to large. The hull of 10,242² pairwise sums does not fit into memory.
-pub(super) const PAIRS: [Pair; 5] = [
+pub(super) const PAIRS: [Pair; 7] = [
     Pair {
         name: "dp+odp",
         a: Operand::Model("dp.off"),
         b: Operand::Model("odp.xoff"),
+        by: library::Method::Walk,
         methods: &[Method::Sgm, Method::Hull],
         requirements: &[times(30.0, &[Method::Sgm, Method::Hull])],
     },
@@ -104,6 +111,7 @@ pub(super) const PAIRS: [Pair; 5] = [
         name: "gs4+rgs4",
         a: Operand::Model("gs4.off"),
         b: Operand::Model("rgs4.xoff"),
+        by: library::Method::Walk,
         methods: &[Method::Sgm, Method::Hull],
         requirements: &[times(100.0, &[Method::Sgm])],
     },
@@ -111,13 +119,31 @@ pub(super) const PAIRS: [Pair; 5] = [
         name: "el16+oel16",
         a: Operand::Model("el16.off"),
         b: Operand::Model("oel16.xoff"),
+        by: library::Method::Walk,
         methods: &[Method::Sgm, Method::Hull],
         requirements: &[times(100.0, &[Method::Sgm])],
+    },
+    Pair {
+        name: "sgm:el16+oel16",
+        a: Operand::Model("el16.off"),
+        b: Operand::Model("oel16.xoff"),
+        by: library::Method::Sgm,
+        methods: &[Method::Sgm],
+        requirements: &[times(10.0, &[Method::Sgm])],
+    },
+    Pair {
+        name: "cgm:el16+oel16",
+        a: Operand::Model("el16.off"),
+        b: Operand::Model("oel16.xoff"),
+        by: library::Method::Cgm,
+        methods: &[Method::Sgm, Method::OurSgm],
+        requirements: &[times(10.0, &[Method::Sgm]), times(1.0, &[Method::OurSgm])],
     },
     Pair {
         name: "icosphere2562",
         a: Operand::Sphere(16),
         b: Operand::TurnedSphere(16),
+        by: library::Method::Walk,
         methods: &[Method::Sgm, Method::Hull, Method::Manifold, Method::Scipy],
         requirements: &[times(100.0, &[Method::Sgm]), times(40.0, &[Method::Manifold])],
     },
@@ -125,6 +151,7 @@ pub(super) const PAIRS: [Pair; 5] = [
         name: "icosphere10242",
         a: Operand::Sphere(32),
         b: Operand::TurnedSphere(32),
+        by: library::Method::Walk,
         methods: &[Method::Sgm],
         requirements: &[times(100.0, &[Method::Sgm])],
     },

@@ -47,6 +47,7 @@ impl Tools {
             Method::Hull => driver("hull"),
             Method::Manifold => script("manifold"),
             Method::Scipy => script("scipy"),
+            Method::OurSgm => None,
         }
     }
 }

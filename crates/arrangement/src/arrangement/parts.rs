@@ -65,6 +65,30 @@ impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
     }
 }
 
+impl<G: UMonotoneTraits, T: Topology<G>> Arrangement<G, T> {
+    /// Puts an arrangement together from parts of which the caller knows that they fit, as if they came from [`Arrangement::into_parts`]. Parts from anywhere
+    /// else are for [`Arrangement::from_parts`].
+    ///
+    /// # Panics
+    /// In debug builds, if they do not fit. In others the arrangement is not valid then, and may panic later.
+    ///
+    /// # Complexity
+    /// Constant; in debug builds that of [`Arrangement::from_parts`].
+    ///
+    /// ```
+    /// use splitstar_arrangement::{Arrangement, models::{Segment, SegmentTraits}, topology::BoundedPlane};
+    /// let segment = Segment::from_i64([[0, 0], [2, 1]]).expect("the ends are different");
+    /// let whole = Arrangement::of_curves(SegmentTraits, BoundedPlane, &[segment]);
+    /// let again = Arrangement::from_trusted_parts(SegmentTraits, BoundedPlane, whole.clone().into_parts());
+    /// assert!(again.is_isomorphic(&whole));
+    /// ```
+    pub fn from_trusted_parts(traits: G, topology: T, parts: Parts<G>) -> Self {
+        let arrangement = Self::of_valid_parts(traits, topology, parts);
+        debug_assert_eq!(arrangement.find_violations(ENOUGH), [], "the parts fit");
+        arrangement
+    }
+}
+
 impl<G: BasicTraits, T: Topology<G>> Arrangement<G, T> {
     /// Puts an arrangement together from parts that are known to fit.
     pub(crate) fn of_valid_parts(traits: G, topology: T, parts: Parts<G>) -> Self {

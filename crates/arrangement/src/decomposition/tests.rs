@@ -4,17 +4,18 @@
 mod laws;
 
 use super::*;
-use crate::random::{Numbers, Scene, random_cylinder, random_lines, random_paths, random_segments};
+use crate::random::{
+    Numbers, Scene, random_cylinder, random_globe, random_lines, random_paths, random_segments,
+};
 use crate::topology::Site;
 use crate::traits::{ArrangementTraits, BasicTraits};
 use crate::trapezoids as kept;
 use crate::trapezoids::Trapezoids;
-use exact::planar::Point2;
 use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// Runs a test on arrangements made from seeds on a surface.
-fn on<G: ArrangementTraits<Point = Point2> + Clone, T: Topology<G>>(
+fn on<G: ArrangementTraits + Clone, T: Topology<G>>(
     seeds: u64,
     most: i64,
     make: impl Fn(&mut Numbers, i64) -> Scene<G, T>,
@@ -252,6 +253,11 @@ fn segments() {
 #[test]
 fn lines_and_rays() {
     on(400, 10, random_lines);
+}
+
+#[test]
+fn arcs_on_a_sphere() {
+    on(600, 8, random_globe);
 }
 
 #[test]

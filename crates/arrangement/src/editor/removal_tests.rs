@@ -4,10 +4,11 @@
 
 use super::*;
 use crate::insert::Pieces;
-use crate::random::{Numbers, Scene, random_cylinder, random_lines, random_paths, random_segments};
+use crate::random::{
+    Numbers, Scene, random_cylinder, random_globe, random_lines, random_paths, random_segments,
+};
 use crate::traits::ArrangementTraits;
 use dcel::{EdgeId, EndFate};
-use exact::planar::Point2;
 
 /// The edges and isolated vertices of an arrangement, swept anew.
 fn swept_again<G: UMonotoneTraits + Clone, T: Topology<G>>(
@@ -74,7 +75,7 @@ fn take_apart<G: ArrangementTraits + Clone, T: Topology<G>>(
     assert_eq!(editor.trapezoids.count(), 1);
 }
 
-fn on<G: ArrangementTraits<Point = Point2> + Clone, T: Topology<G>>(
+fn on<G: ArrangementTraits + Clone, T: Topology<G>>(
     most: i64,
     draw: impl Fn(&mut Numbers, i64) -> Scene<G, T>,
 ) {
@@ -104,4 +105,9 @@ fn paths_on_a_torus() {
 #[test]
 fn paths_on_a_cylinder() {
     on(5, random_cylinder);
+}
+
+#[test]
+fn arcs_on_a_sphere() {
+    on(6, random_globe);
 }

@@ -5,14 +5,16 @@
 use super::*;
 use crate::models::polycurve::PolycurveTraits;
 use crate::models::{Segment, SegmentTraits, TorusSegmentTraits};
-use crate::random::{Numbers, Scene, random_cylinder, random_lines, random_paths, random_segments};
+use crate::random::{
+    Numbers, Scene, random_cylinder, random_globe, random_lines, random_paths, random_segments,
+};
 use crate::topology::{BoundedPlane, FlatTorus};
 use crate::traits::ArrangementTraits;
 use crate::wrappers::CountingTraits;
 use exact::planar::Point2;
 
 /// Half of the points come before the curves.
-fn check<G: ArrangementTraits<Point = Point2> + Clone, T: Topology<G>>(
+fn check<G: ArrangementTraits + Clone, T: Topology<G>>(
     seeds: u64,
     most: i64,
     draw: impl Fn(&mut Numbers, i64) -> Scene<G, T>,
@@ -58,6 +60,11 @@ fn paths_on_a_torus() {
 #[test]
 fn paths_on_a_cylinder() {
     check(200, 6, random_cylinder);
+}
+
+#[test]
+fn arcs_on_a_sphere() {
+    check(300, 7, random_globe);
 }
 
 /// What an adverse order costs: segments side by side, each above the one before, whose search structure would be a list.

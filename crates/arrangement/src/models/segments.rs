@@ -6,7 +6,7 @@
 
 use super::straight::{Straight, straight_traits};
 use crate::traits::{BoundedTraits, ClosedBottomTopTraits, ClosedLeftRightTraits, CurveEnd};
-use exact::planar::{Line2, Point2, compare_xy};
+use exact::planar::{Line2, Point2, compare_xy, side_of_line};
 use std::borrow::Borrow;
 use std::cmp::Ordering;
 
@@ -41,6 +41,37 @@ impl Segment {
     pub fn from_i64(ends: [[i64; 2]; 2]) -> Option<Self> {
         let [source, target] = ends.map(Point2::from_i64);
         Self::new(source, target)
+    }
+
+    /// Makes the segment from a source to a target on a line that is known; `None` if they are equal.
+    ///
+    /// So the line may be narrower than one through the points, and nothing is computed but their order.
+    ///
+    /// # Panics
+    /// In debug builds, if a point is not on the line.
+    ///
+    /// ```
+    /// use exact::planar::{Line2, Point2};
+    /// use splitstar_arrangement::models::Segment;
+    /// let line = Line2::from_integers([1, -2, 0].map(Into::into)).expect("not all are zero");
+    /// let [p, q] = [[4, 2], [0, 0]].map(Point2::from_i64);
+    /// assert_eq!(Segment::on_line(line.clone(), p.clone(), q.clone()), Segment::new(p.clone(), q));
+    /// assert_eq!(Segment::on_line(line, p.clone(), p), None);
+    /// ```
+    pub fn on_line(line: Line2, source: Point2, target: Point2) -> Option<Self> {
+        debug_assert!([&source, &target].iter().all(|p| side_of_line(p, &line).is_zero()), "on the line");
+        let (ends, is_directed_right) = match compare_xy(&source, &target) {
+            Ordering::Less => ([source, target], true),
+            Ordering::Equal => return None,
+            Ordering::Greater => ([target, source], false),
+        };
+        Some(Self { line, ends, is_directed_right })
+    }
+
+    /// Tells whether the segment is directed from the lesser to the greater end.
+    #[inline]
+    pub fn is_directed_right(&self) -> bool {
+        self.is_directed_right
     }
 
     /// The line that the segment lies on.

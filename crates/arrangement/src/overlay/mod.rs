@@ -183,7 +183,9 @@ pub(crate) fn overlay_with_pieces<G: UMonotoneTraits, T: Topology<G>>(
         Some(&support) => support,
         None => first_support + (curve - swept),
     };
-    let supports =
-        operands.iter().flat_map(|operand| operand.curves().iter().cloned()).chain(curves).collect();
+    // One allocation: there are many, and they are large.
+    let mut supports = Vec::with_capacity(first_support as usize + curves.len());
+    operands.iter().for_each(|operand| supports.extend_from_slice(operand.curves()));
+    supports.extend(curves);
     Some((assemble(traits, topology, built, supports, support_of), provenance))
 }

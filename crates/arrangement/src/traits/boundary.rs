@@ -80,17 +80,7 @@ pub trait OpenLeftRightTraits: NearLeftRightTraits {}
 pub trait OpenBottomTopTraits: NearBottomTopTraits {}
 
 /// Curves that may end in a point to which the left or right side is contracted.
-pub trait ContractedLeftRightTraits: NearLeftRightTraits {
-    /// Gives the point to which a side is contracted: the left one for `Min`, the right one for `Max`.
-    ///
-    /// Law: ends of curves on that side have this point, if they have one.
-    fn contraction_left_right(&self, side: CurveEnd) -> Self::Point;
-
-    /// Tells to which side, of these two, a point is the contraction. A model whose points tell it at once should.
-    fn contracted_left_right(&self, p: &Self::Point) -> Option<CurveEnd> {
-        CurveEnd::BOTH.into_iter().find(|&side| self.is_same_point(p, &self.contraction_left_right(side)))
-    }
-}
+pub trait ContractedLeftRightTraits: NearLeftRightTraits {}
 
 /// Curves that may end in a point to which the bottom or top side is contracted, as a pole of a sphere is.
 pub trait ContractedBottomTopTraits: NearBottomTopTraits {

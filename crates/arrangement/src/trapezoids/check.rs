@@ -105,18 +105,21 @@ impl<G: BasicTraits> Trapezoids<G> {
         }
     }
 
-    /// Edges have their rails, and vertices their sites.
+    /// Edges have their rails, from vertex to vertex, and vertices their sites.
     fn check_cells<T: Topology<G>>(&self, arrangement: &Arrangement<G, T>, faults: &mut Vec<String>) {
         for e in arrangement.dcel().edges() {
             let rail = self.rail_of(e);
             if self.rail(rail).edge != e || self.rail(rail).curve != arrangement.support(e).0 {
                 faults.push(format!("rail of {e:?}"));
             }
+            let ends = self.rail(rail).ends.map(|site| self.vertex(site));
+            if ends != arrangement.dcel().ends(e) {
+                faults.push(format!("the rail of {e:?} ends at {ends:?}"));
+            }
         }
         for v in arrangement.vertices() {
-            // A pole where only a point was given has none.
-            let is_bare = arrangement.stands_for_side(v) && arrangement.dcel().outgoing(v).is_none();
-            if !is_bare && self.sites_of(v).next().is_none() {
+            // At a pole the ends of edges have sites, each its own.
+            if !arrangement.stands_for_side(v) && self.sites_of(v).next().is_none() {
                 faults.push(format!("no site of {v:?}"));
             }
         }

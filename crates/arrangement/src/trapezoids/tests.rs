@@ -10,12 +10,13 @@ mod edits;
 mod parts;
 
 use super::*;
-use crate::random::{Numbers, Scene, random_cylinder, random_lines, random_paths, random_segments};
+use crate::random::{
+    Numbers, Scene, random_cylinder, random_globe, random_lines, random_paths, random_segments,
+};
 use crate::traits::{ArrangementTraits, UMonotoneTraits};
-use exact::planar::Point2;
 
 /// Runs a test on arrangements made from seeds on a surface.
-fn on<G: ArrangementTraits<Point = Point2> + Clone, T: Topology<G>>(
+fn on<G: ArrangementTraits + Clone, T: Topology<G>>(
     seeds: u64,
     most: i64,
     make: impl Fn(&mut Numbers, i64) -> Scene<G, T>,
@@ -55,6 +56,11 @@ fn paths_on_a_torus() {
 #[test]
 fn paths_on_a_cylinder() {
     on(500, 6, random_cylinder, has_no_faults);
+}
+
+#[test]
+fn arcs_on_a_sphere() {
+    on(600, 9, random_globe, has_no_faults);
 }
 
 /// The figures of `docs/arrangement.md`.

@@ -219,16 +219,7 @@ macro_rules! forward_traits {
         impl<G: ClosedBottomTopTraits, $($param)*> ClosedBottomTopTraits for $wrapper {}
         impl<G: OpenLeftRightTraits, $($param)*> OpenLeftRightTraits for $wrapper {}
         impl<G: OpenBottomTopTraits, $($param)*> OpenBottomTopTraits for $wrapper {}
-
-        impl<G: ContractedLeftRightTraits, $($param)*> ContractedLeftRightTraits for $wrapper {
-            fn contraction_left_right(&self, side: CurveEnd) -> Self::Point {
-                $via!(self, ContractionLeftRight, contraction_left_right(plain side))
-            }
-
-            fn contracted_left_right(&self, p: &Self::Point) -> Option<CurveEnd> {
-                $via!(self, ContractedLeftRight, contracted_left_right(plain p))
-            }
-        }
+        impl<G: ContractedLeftRightTraits, $($param)*> ContractedLeftRightTraits for $wrapper {}
 
         impl<G: ContractedBottomTopTraits, $($param)*> ContractedBottomTopTraits for $wrapper {
             fn contraction_bottom_top(&self, side: CurveEnd) -> Self::Point {

@@ -206,7 +206,7 @@ impl<G: ArrangementTraits, T: Topology<G>, O: Observer<G, T>> Editor<G, T, O> {
     /// places where its traits cut it.
     ///
     /// Where a curve is cut into pieces only because of the parameter space, it does not end. Isolated points of a curve count as
-    /// ends.
+    /// ends, and so does a place where it turns back along itself.
     ///
     /// # Complexity
     /// That of [`Editor::zone`] up to the first meeting.

@@ -4,7 +4,7 @@ use crate::script::{FAMILIES, HEADER, STEP, run};
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use testkit::Rng;
 
-/// Scripts of each family: 2,000 of all.
+/// Scripts of each family: 2,500 of all.
 const SCRIPTS: u64 = 250;
 
 /// The most steps of a script.
@@ -109,6 +109,8 @@ families! {
     polylines_on_a_torus 5,
     minimal_segments 6,
     polylines 7,
+    arcs_on_a_sphere 8,
+    chains_on_a_sphere 9,
 }
 
 /// What fuzzing found, and where it begins.
@@ -125,5 +127,5 @@ fn seeds_of_the_fuzz_target() {
         }
         count += 1;
     }
-    assert!(count > 8, "{count}");
+    assert!(count > 10, "{count}");
 }

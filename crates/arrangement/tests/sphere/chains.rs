@@ -16,21 +16,21 @@ use splitstar_arrangement::wrappers::CountingTraits;
 use splitstar_arrangement::{Arrangement, Counts, Editor};
 use testkit::Rng;
 
-type Made = Arrangement<PolycurveTraits<GeodesicTraits>, Sphere>;
-type Chain = Polycurve<Direction, GeodesicArc>;
+pub(crate) type Made = Arrangement<PolycurveTraits<GeodesicTraits>, Sphere>;
+pub(crate) type Chain = Polycurve<Direction, GeodesicArc>;
 
-fn chain(traits: &PolycurveTraits<GeodesicTraits>, arcs: &[Curve]) -> Chain {
+pub(crate) fn chain(traits: &PolycurveTraits<GeodesicTraits>, arcs: &[Curve]) -> Chain {
     traits.make_polycurve_of(&own(arcs)).unwrap()
 }
 
-fn make(identification: [i64; 2], chains: &[Vec<Curve>], points: &[P]) -> Made {
+pub(crate) fn make(identification: [i64; 2], chains: &[Vec<Curve>], points: &[P]) -> Made {
     let traits = PolycurveTraits::new(traits_of(identification));
     let chains: Vec<Chain> = chains.iter().map(|arcs| chain(&traits, arcs)).collect();
     Arrangement::of_curves_and_points(traits, Sphere, &chains, points.iter().map(direction))
 }
 
 /// The points between the arcs of a chain, and its ends.
-fn joints(chains: &[Vec<Curve>]) -> Vec<P> {
+pub(crate) fn joints(chains: &[Vec<Curve>]) -> Vec<P> {
     chains.iter().flatten().flat_map(|curve| curve.arc().ends.into_iter().flatten()).collect()
 }
 
@@ -188,7 +188,7 @@ fn check_places(made: &Made, chains: &[Vec<Curve>], rng: &mut Rng, context: &str
     laws_of_decompositions::check(made, context);
 }
 
-fn random_chains(rng: &mut Rng, most: usize, range: i64) -> Vec<Vec<Curve>> {
+pub(crate) fn random_chains(rng: &mut Rng, most: usize, range: i64) -> Vec<Vec<Curve>> {
     (0..1 + rng.index(most)).map(|_| random_chain(rng, range)).collect()
 }
 

@@ -149,7 +149,7 @@ impl Graph {
     }
 
     /// The dart that follows on the boundary of the face on the left: the next clockwise after the one back.
-    fn next(&self, dart: usize) -> usize {
+    pub(crate) fn next(&self, dart: usize) -> usize {
         let around = &self.around[self.source(dart ^ 1)];
         let back = around.iter().position(|&other| other == dart ^ 1).expect("a dart leaves its source");
         around[(back + around.len() - 1) % around.len()]

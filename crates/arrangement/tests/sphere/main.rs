@@ -2,7 +2,8 @@
 //!
 //! Curves are data (`arcs`), of families with stated counts (`families`, and those of the plane by central projection: `planar`), and
 //! random ones of small coordinates, so that everything degenerate happens (`random`). What the cells are, brute force tells in integer
-//! vectors (`space`, `graph`, `walks`), and the plane tells (`cube`): arcs are segments on the faces of a cube. `matching` says which
+//! vectors (`space`, `graph`, `walks`), and the plane tells (`cube`): arcs are segments on the faces of a cube; both tell
+//! what bounds the faces (`incidences`). `matching` says which
 //! cell is which, `routes` makes arrangements in every way, `laws` turns and mirrors them and moves the identification. `edits`,
 //! `zones`, `places`, `queries`, `provenance`, `data` and `chains` are about everything else.
 
@@ -12,6 +13,7 @@
 mod agree;
 mod arcs;
 mod chains;
+mod chains_singly;
 mod cube;
 #[path = "../harness/curves.rs"]
 #[allow(dead_code, reason = "the harness uses all of it")]
@@ -23,6 +25,7 @@ mod free_edits;
 mod graph;
 #[path = "../history/script.rs"]
 mod history;
+mod incidences;
 mod laws;
 mod laws_of_decompositions;
 mod matching;

@@ -219,11 +219,7 @@ impl NearLeftRightTraits for Transposed {
 }
 
 impl OpenLeftRightTraits for Transposed {}
-impl ContractedLeftRightTraits for Transposed {
-    fn contraction_left_right(&self, side: CurveEnd) -> Point2 {
-        Point2::from_i64([[0, self.strip.size[1]][side as usize], -1])
-    }
-}
+impl ContractedLeftRightTraits for Transposed {}
 
 impl IdentifiedBottomTopTraits for Transposed {
     fn is_on_bottom_top(&self, p: &Point2) -> bool {

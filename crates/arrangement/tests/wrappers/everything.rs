@@ -236,12 +236,7 @@ impl ClosedLeftRightTraits for Everything {}
 impl ClosedBottomTopTraits for Everything {}
 impl OpenLeftRightTraits for Everything {}
 impl OpenBottomTopTraits for Everything {}
-
-impl ContractedLeftRightTraits for Everything {
-    fn contraction_left_right(&self, side: CurveEnd) -> i32 {
-        10 + side as i32
-    }
-}
+impl ContractedLeftRightTraits for Everything {}
 
 impl ContractedBottomTopTraits for Everything {
     fn contraction_bottom_top(&self, side: CurveEnd) -> i32 {
@@ -335,9 +330,7 @@ pub(crate) fn call_each<G: All<Point = i32>>(
         format!("{:?}", traits.is_foldback_on_side(a, a, CurveEnd::Max)),
         format!("{:?}", traits.compare_u_to_end(&86, a, CurveEnd::Max)),
         format!("{:?}", traits.direction(a)),
-        format!("{:?}", traits.contraction_left_right(CurveEnd::Max)),
         format!("{:?}", traits.contraction_bottom_top(CurveEnd::Min)),
-        format!("{:?}", traits.contracted_left_right(&11)),
         format!("{:?}", traits.contracted_bottom_top(&20)),
     ];
     let window = Window { after: Some(&1), until: Some(&6), first_to_end: 1 };

@@ -10,12 +10,15 @@ pub(super) fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
     let (least, most) = match verb {
         Verb::Sum => (2, usize::MAX),
         Verb::Hull | Verb::Arrange => (1, usize::MAX),
-        Verb::Info | Verb::Convert => (1, 1),
-        Verb::Locate => (2, 2),
+        Verb::Info | Verb::Convert | Verb::Gauss => (1, 1),
+        Verb::Distance | Verb::Locate => (2, 2),
     };
     let count = run.operands.len();
-    if verb == Verb::Locate && count != 2 {
-        let wanted = "the file of an arrangement and a file of points";
+    if count != 2 && matches!(verb, Verb::Distance | Verb::Locate) {
+        let wanted = match verb {
+            Verb::Locate => "the file of an arrangement and a file of points",
+            _ => "the files of two polytopes",
+        };
         return Err(usage(verb, format!("{wanted} expected, {count} given")));
     }
     if count < least {
@@ -25,17 +28,21 @@ pub(super) fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
     if count > most {
         return Err(usage(verb, format!("one file to read expected, {count} given")));
     }
-    if run.operands.iter().filter(|operand| **operand == Place::Standard).count() > 1 {
+    let inputs = run.operands.iter().chain(&run.placing.path);
+    if inputs.filter(|input| **input == Place::Standard).count() > 1 {
         return Err(usage(verb, "standard input `-` can be read once only"));
     }
-    if !matches!(verb, Verb::Info | Verb::Arrange | Verb::Locate) && run.output.is_none() {
+    if verb.needs_output() && run.output.is_none() {
         return Err(usage(verb, "where to write is missing: -o OUT, or -o - for standard output"));
     }
     let named = match (&run.output, verb) {
-        (Some(output), Verb::Arrange) if run.cells.is_none() => cells_of_name(output).err(),
-        (Some(_), Verb::Arrange | Verb::Locate) => None,
+        (Some(output), Verb::Arrange | Verb::Gauss) if run.cells.is_none() => {
+            let what = if verb == Verb::Gauss { "a Gaussian map" } else { "an arrangement" };
+            cells_of_name(output, what).err()
+        }
+        (Some(_), Verb::Arrange | Verb::Locate | Verb::Gauss) => None,
         (Some(output), _) if run.format.is_none() => encoding_of_name(output).err(),
-        (None, Verb::Arrange) if run.cells.is_some() => {
+        (None, Verb::Arrange | Verb::Gauss) if run.cells.is_some() => {
             Some("`--format` says what to write, and where is missing: -o OUT".into())
         }
         _ => None,
@@ -46,6 +53,7 @@ pub(super) fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
     if run.json && run.output == Some(Place::Standard) {
         let what = match verb {
             Verb::Arrange => "the arrangement",
+            Verb::Gauss => "the map",
             Verb::Locate => "the answers",
             _ => "the mesh",
         };
@@ -55,6 +63,10 @@ pub(super) fn check(run: &Run, given: &[&str]) -> Result<(), Failure> {
     check_surface(run)?;
     if given.contains(&"rotate") && given.contains(&"quat") {
         return Err(usage(verb, "`--rotate` and `--quat` exclude each other"));
+    }
+    if given.contains(&"path") && (given.contains(&"move-b") || given.contains(&"quat-b")) {
+        let sentence = "`--path` has all placements, and excludes `--move-b` and `--quat-b`";
+        return Err(usage(verb, sentence));
     }
     if run.strategy == Some(Strategy::Sweep) && run.ray.is_some() {
         let others: Vec<&str> =
@@ -79,6 +91,13 @@ fn check_surface(run: &Run) -> Result<(), Failure> {
             return wrong("`--surface sphere` and `--period` exclude each other");
         }
         Some(Surface::Sphere) => {}
+        _ if run.verb == Verb::Gauss && !run.cubical => {}
+        _ if run.cubical && run.identification.is_some() => {
+            return wrong("`--cubical` and `--identification` exclude each other: a cube is not cut open");
+        }
+        _ if run.cubical && run.view.is_some() => {
+            return wrong("`--cubical` and `--view` exclude each other: the sides of a cube are unfolded");
+        }
         _ if run.identification.is_some() => {
             return wrong("`--identification` is an option of the sphere; give --surface sphere, too");
         }

@@ -35,6 +35,40 @@ impl CellEncoding {
     }
 }
 
+/// How polytopes are added.
+#[derive(Clone, Copy, PartialEq, Eq, Debug, Default)]
+pub(crate) enum Method {
+    /// A walk over both Gaussian maps.
+    #[default]
+    Overlay,
+    /// Gaussian maps as arrangements on the sphere.
+    Sgm,
+    /// The same on the sides of a cube.
+    Cgm,
+    /// Linear programs.
+    Lp,
+    /// The convex hull of all sums of vertices.
+    Hull,
+}
+
+impl Method {
+    pub(super) const ALL: [Self; 5] = [Self::Overlay, Self::Sgm, Self::Cgm, Self::Lp, Self::Hull];
+
+    pub(crate) fn name(self) -> &'static str {
+        match self {
+            Self::Overlay => "overlay",
+            Self::Sgm => "sgm",
+            Self::Cgm => "cgm",
+            Self::Lp => "lp",
+            Self::Hull => "hull",
+        }
+    }
+
+    pub(super) fn from_name(name: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|method| name == method.name())
+    }
+}
+
 /// What curves lie on.
 #[derive(Clone, Copy, PartialEq, Eq, Debug)]
 pub(crate) enum Surface {
@@ -131,6 +165,12 @@ impl Place {
         }
     }
 
+    /// Whether the ending of the name is that of gzip.
+    pub(crate) fn is_packed(&self) -> bool {
+        let name = self.file_name().unwrap_or_default();
+        name.rsplit_once('.').is_some_and(|(_, ending)| ending.eq_ignore_ascii_case("gz"))
+    }
+
     /// The name of a file in its folder.
     pub(crate) fn file_name(&self) -> Option<String> {
         match self {
@@ -140,8 +180,8 @@ impl Place {
     }
 }
 
-/// What an arrangement is written as by the ending of a name; star where a name has no ending.
-pub(super) fn cells_of_name(output: &Place) -> Result<CellEncoding, String> {
+/// What an arrangement or a map is written as by the ending of a name; star where a name has no ending.
+pub(super) fn cells_of_name(output: &Place, what: &str) -> Result<CellEncoding, String> {
     let name = output.file_name().unwrap_or_default();
     let Some((stem, last)) = name.rsplit_once('.') else { return Ok(CellEncoding::DEFAULT) };
     let ending = match stem.rsplit_once('.') {
@@ -150,7 +190,7 @@ pub(super) fn cells_of_name(output: &Place) -> Result<CellEncoding, String> {
     };
     CellEncoding::from_name(&ending.to_ascii_lowercase()).ok_or_else(|| {
         format!(
-            "an arrangement is not written as `.{ending}`; use .star or .svg, each also with .gz, or --format: star or svg"
+            "{what} is not written as `.{ending}`; use .star or .svg, each also with .gz, or --format: star or svg"
         )
     })
 }

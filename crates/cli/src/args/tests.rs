@@ -24,6 +24,16 @@ fn values_may_be_negative() {
 }
 
 #[test]
+fn a_placement_may_be_negative() {
+    let placing = run("distance a b --move-b -1,-1/2,3 --quat-b -1,0,0,1 --along=0,-1,0").placing;
+    assert_eq!(placing.translation.unwrap().map(|c| c.to_string()), ["-1", "-1/2", "3"]);
+    assert_eq!(placing.turn.unwrap().map(|c| c.to_string()), ["-1", "0", "0", "1"]);
+    assert_eq!(placing.along.unwrap().map(|c| c.to_string()), ["0", "-1", "0"]);
+    assert!(placing.path.is_none());
+    assert_eq!(run("distance a b --path -").placing.path, Some(Place::Standard));
+}
+
+#[test]
 fn options_stand_anywhere() {
     let run = run("sum --json a.off --method=hull -o out.off - -q --hull -- -b.off");
     assert_eq!(run.operands.len(), 3);
@@ -37,10 +47,13 @@ fn options_stand_anywhere() {
 #[test]
 fn wrong_lines_say_why() {
     let rows = [
-        ("", "a verb is missing: sum, hull, info, convert, arrange or locate; see `splitstar --help`"),
+        (
+            "",
+            "a verb is missing: sum, hull, info, convert, distance, arrange, locate or gauss; see `splitstar --help`",
+        ),
         (
             "add a b",
-            "unknown verb `add`; the verbs are sum, hull, info, convert, arrange and locate, see `splitstar --help`",
+            "unknown verb `add`; the verbs are sum, hull, info, convert, distance, arrange, locate and gauss, see `splitstar --help`",
         ),
         ("--json sum", "`--json` before the verb; see `splitstar --help`"),
         ("sum a -o c", "sum: two or more files to add expected, 1 given; see `splitstar sum --help`"),
@@ -63,7 +76,31 @@ fn wrong_lines_say_why() {
         ),
         (
             "sum a b -o c --method fast",
-            "sum: unknown method `fast`: overlay or hull; see `splitstar sum --help`",
+            "sum: unknown method `fast`: overlay, sgm, cgm, lp, hull; see `splitstar sum --help`",
+        ),
+        (
+            "gauss a -o b.off",
+            "gauss: a Gaussian map is not written as `.off`; use .star or .svg, each also with .gz, or --format: \
+             star or svg; see `splitstar gauss --help`",
+        ),
+        (
+            "gauss a --cubical --identification 1,0",
+            "gauss: `--cubical` and `--identification` exclude each other: a cube is not cut open; \
+             see `splitstar gauss --help`",
+        ),
+        (
+            "gauss a -o b.svg --view globe --cubical",
+            "gauss: `--cubical` and `--view` exclude each other: the sides of a cube are unfolded; \
+             see `splitstar gauss --help`",
+        ),
+        (
+            "gauss a -o b.star --view globe",
+            "gauss: `--view` says how a picture looks, and none is written: -o OUT.svg; \
+             see `splitstar gauss --help`",
+        ),
+        (
+            "gauss a --format svg",
+            "gauss: `--format` says what to write, and where is missing: -o OUT; see `splitstar gauss --help`",
         ),
         (
             "convert a -o b --scale 0",
@@ -91,6 +128,38 @@ fn wrong_lines_say_why() {
         (
             "convert a -o b --quat 1,0,0,0 --rotate 0,0,1,90",
             "convert: `--rotate` and `--quat` exclude each other; see `splitstar convert --help`",
+        ),
+        (
+            "distance a",
+            "distance: the files of two polytopes expected, 1 given; see `splitstar distance --help`",
+        ),
+        (
+            "distance a b c",
+            "distance: the files of two polytopes expected, 3 given; see `splitstar distance --help`",
+        ),
+        ("distance a b -o c", "distance: unknown option `-o`; see `splitstar distance --help`"),
+        (
+            "distance a - --path -",
+            "distance: standard input `-` can be read once only; see `splitstar distance --help`",
+        ),
+        (
+            "distance a b --path c --move-b 1,2,3",
+            "distance: `--path` has all placements, and excludes `--move-b` and `--quat-b`; \
+             see `splitstar distance --help`",
+        ),
+        (
+            "distance a b --quat-b 0,0,0,0",
+            "distance: the quaternion of `--quat-b` is zero; 1,0,0,0 does not rotate; \
+             see `splitstar distance --help`",
+        ),
+        (
+            "distance a b --along 0,0,0",
+            "distance: the direction of `--along` is zero; give another one, such as 1,0,0; \
+             see `splitstar distance --help`",
+        ),
+        (
+            "distance a b --move-b 1,2",
+            "distance: `--move-b 1,2`: 2 numbers given, X,Y,Z expected; see `splitstar distance --help`",
         ),
         (
             "sum a b -o c --json=yes",

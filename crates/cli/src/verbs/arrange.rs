@@ -12,7 +12,7 @@ use splitstar::arrangement::Arrangement;
 use splitstar::arrangement::models::{GeodesicTraits, TorusSegmentTraits};
 use splitstar::arrangement::sweep::Progress;
 use splitstar::arrangement::topology::Topology;
-use splitstar::arrangement::traits::ApproxTraits;
+use splitstar::arrangement::traits::{ApproxTraits, UMonotoneTraits};
 use splitstar::formats::{self, CurveError, StarArrangement};
 use splitstar::render::{Frame, GlobeOptions, RenderError, Scene, SvgOptions};
 use std::ops::ControlFlow;
@@ -80,7 +80,7 @@ fn read_all<C>(
 }
 
 /// The sphere, cut open where it is said.
-fn sphere(run: &Run) -> GeodesicTraits {
+pub(super) fn sphere(run: &Run) -> GeodesicTraits {
     let Some([x, y]) = &run.identification else { return GeodesicTraits::new() };
     let direction = [x.numerator() * y.denominator(), y.numerator() * x.denominator()];
     GeodesicTraits::with_identification(direction).expect("zeros are refused on the command line")
@@ -111,6 +111,9 @@ fn arranged<C>(
     }
 }
 
+/// What is said of a picture that may show different things in one place.
+pub(super) const COLLAPSED: &str = "coordinates differ too little for a picture; write star";
+
 fn written(
     arrangement: &StarArrangement,
     run: &Run,
@@ -126,8 +129,7 @@ fn written(
                 Failure::file(&output.shown(), None, sentence)
             })?;
             if scene.is_collapsed() {
-                let sentence = "coordinates differ too little for a picture; write star";
-                console.note(&output.shown(), None, sentence);
+                console.note(&output.shown(), None, COLLAPSED);
             }
             scene.to_svg(&SvgOptions::default()).into_bytes()
         }
@@ -154,7 +156,7 @@ fn scene(arrangement: &StarArrangement, view: Option<View>) -> Result<Scene, Ren
     }
 }
 
-fn sphere_scene<G: ApproxTraits, T: Topology<G>>(
+pub(super) fn sphere_scene<G: ApproxTraits + UMonotoneTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     sphere: &GeodesicTraits,
     view: Option<View>,

@@ -1,6 +1,6 @@
 //! `splitstar hull`.
 
-use super::{Job, Outcome};
+use super::{Job, Outcome, common_unit};
 use crate::args::Run;
 use crate::failure::Failure;
 use splitstar::formats::Shape;
@@ -8,7 +8,7 @@ use splitstar::polytope::convex_hull;
 
 pub(crate) fn hull(run: &Run) -> Result<(), Failure> {
     let job = Job::start(run)?;
-    let unit = job.unit()?;
+    let unit = common_unit(&job.operands)?;
     let mut points = Vec::new();
     for operand in &job.operands {
         if let Shape::Complex(complex) = &operand.read.model.shape

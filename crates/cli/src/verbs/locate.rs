@@ -16,7 +16,7 @@ use splitstar::arrangement::sweep::Progress;
 use splitstar::arrangement::topology::Topology;
 use splitstar::arrangement::traits::{ApproxTraits, UMonotoneTraits};
 use splitstar::arrangement::{Arrangement, locate_by_sweep_with};
-use splitstar::formats::StarArrangement;
+use splitstar::formats::{self, StarArrangement};
 use std::ops::ControlFlow;
 
 pub(crate) fn locate(run: &Run) -> Result<(), Failure> {
@@ -27,7 +27,7 @@ pub(crate) fn locate(run: &Run) -> Result<(), Failure> {
     // The operands, the work, the writing.
     let mut console = Console::new(run.quiet, run.operands.len() + 2);
     let mut clock = Clock::start();
-    let arrangement = ArrangementOperand::read(arrangement, &console)?;
+    let arrangement = ArrangementOperand::read(arrangement, points, &console)?;
     let points = PointOperand::read(points, &arrangement, &console)?;
     points.tell_notes(&console);
     points.check_period(&arrangement)?;
@@ -51,7 +51,8 @@ pub(crate) fn locate(run: &Run) -> Result<(), Failure> {
         seconds,
     };
     if let Some(output) = &run.output {
-        output::write(output, report.lines().as_bytes())?;
+        let lines = report.lines().into_bytes();
+        output::write(output, &if output.is_packed() { formats::pack_gzip(&lines) } else { lines })?;
     }
     report.seconds.write = clock.lap();
     console.close();

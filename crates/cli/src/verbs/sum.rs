@@ -1,34 +1,46 @@
 //! `splitstar sum`.
 
 use super::convert::triangulated;
-use super::{Job, Outcome, used_points};
+use super::{Job, Outcome, common_unit, used_points};
 use crate::approx::approx_root;
 use crate::args::{Method, Run};
 use crate::console::Console;
 use crate::explain::{mesh_error, triangles_error};
 use crate::failure::Failure;
 use crate::input::Operand;
+use splitstar::gauss::{CubicalGaussianMap, SphericalGaussianMap};
 use splitstar::polytope::{
-    MeshError, Polytope, convex_hull, hull_depth, minkowski_sum, minkowski_sum_by_hull,
+    MeshError, Polytope, convex_hull, hull_depth, minkowski_sum, minkowski_sum_by_hull, minkowski_sum_by_lp,
 };
 
 pub(crate) fn sum(run: &Run) -> Result<(), Failure> {
     let job = Job::start(run)?;
-    let unit = job.unit()?;
+    let unit = common_unit(&job.operands)?;
     let summands = job
         .operands
         .iter()
-        .map(|operand| summand(operand, run, &job.console))
+        .map(|operand| convex(operand, run, &job.console))
         .collect::<Result<Vec<_>, _>>()?;
     let summands: Vec<&Polytope> = summands.iter().collect();
     if run.method == Method::Hull {
         check_hull_size(&summands, &job.operands)?;
     }
-    let (polytope, method) = match run.method {
-        Method::Overlay => (minkowski_sum(&summands), "overlay"),
-        Method::Hull => (minkowski_sum_by_hull(&summands), "hull"),
+    let polytope = match run.method {
+        Method::Overlay => minkowski_sum(&summands),
+        Method::Sgm => {
+            let maps: Vec<_> =
+                summands.iter().map(|summand| SphericalGaussianMap::of_polytope(summand)).collect();
+            SphericalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()).make_polytope()
+        }
+        Method::Cgm => {
+            let maps: Vec<_> =
+                summands.iter().map(|summand| CubicalGaussianMap::of_polytope(summand)).collect();
+            CubicalGaussianMap::minkowski_sum_all(&maps.iter().collect::<Vec<_>>()).make_polytope()
+        }
+        Method::Lp => minkowski_sum_by_lp(&summands),
+        Method::Hull => minkowski_sum_by_hull(&summands),
     };
-    job.finish(&Outcome::of_polytope(polytope, unit, method))
+    job.finish(&Outcome::of_polytope(polytope, unit, run.method.name()))
 }
 
 /// The convex hull takes fewer points than this.
@@ -67,7 +79,7 @@ fn too_many_sums(a: usize, b: usize) -> bool {
 }
 
 /// The polytope of a file, cut into triangles if that is wanted; of a file that is not convex its hull, if that is wanted.
-fn summand(operand: &Operand, run: &Run, console: &Console) -> Result<Polytope, Failure> {
+pub(super) fn convex(operand: &Operand, run: &Run, console: &Console) -> Result<Polytope, Failure> {
     let filed = operand.mesh()?;
     let triangles = run.triangulate.then(|| triangulated(filed, operand)).transpose()?;
     let mesh = triangles.as_ref().unwrap_or(filed);

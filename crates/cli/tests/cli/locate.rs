@@ -220,9 +220,40 @@ const BAD: &[(&str, &str, &str)] = &[
     (LINE, "0 0\n\nsegment 0 0 1 1\n", "points.txt:3: a segment in a file of points; remove it, or "),
     (LINE, "LINESTRING (0 0, 1 1)\n", "points.txt:1: a polyline in a file of points; remove it, or "),
     (LINE, "OFF\n3 1 0\n", "points.txt:1: this is a model (OFF), not a file of points; give points as "),
-    (LINE, LINE, "points.txt:1: this is a model (star), not a file of points; give points as "),
-    ("", "0 0\n", "file.star: the file is empty"),
-    ("0 0\n", "0 0\n", "file.star:1: `0` where the first line `star 1 arrangement` was expected"),
+    (
+        LINE,
+        LINE,
+        "points.txt:1: this is an arrangement (star), not a file of points; give the arrangement first",
+    ),
+    (LINE, "0,0\n", "points.txt:1: `,` between coordinates; write a blank instead"),
+    (
+        LINE,
+        "arc 1 0 0  0 1 0\n",
+        "points.txt:1: `arc` in a file of points of the plane cannot be read; give points",
+    ),
+    (
+        "",
+        "0 0\n",
+        "file.star: the file is empty; an arrangement was expected, as `splitstar arrange CURVES -o OUT.star`",
+    ),
+    (
+        "0 0\n",
+        "0 0\n",
+        "file.star: a file of points, not an arrangement; give a star file, as `splitstar arrange",
+    ),
+    (
+        "0 0 1\n",
+        "0 0\n",
+        "file.star: a file of points, not an arrangement; give a star file, as `splitstar arrange",
+    ),
+    ("0 0\n", LINE, "file.star: a file of points, not an arrangement; exchange both: `splitstar locate "),
+    (
+        "point 0 0\n",
+        LINE,
+        "file.star: a file of points, not an arrangement; exchange both: `splitstar locate ",
+    ),
+    ("POINT (0 0)\n", "", "file.star: a file of points, not an arrangement; give a star file"),
+    ("segment 0 0 1 1\n", LINE, "file.star: a file of curves, not an arrangement; `splitstar arrange "),
     (
         "star 1 complex\nend\n",
         "0 0\n",
@@ -254,6 +285,32 @@ fn bad_files_are_named() {
     let missing = folder.path("missing.txt");
     for words in [["locate", &file, &missing], ["locate", &missing, &file]] {
         assert_eq!(run(&words).error(1), format!("error: {missing}: no such file; check the name"));
+    }
+}
+
+#[test]
+fn what_has_no_point_is_noted() {
+    let folder = Folder::new("locate_empty");
+    let file = folder.write("line.star", LINE);
+    let points = folder.write("points.txt", "POINT EMPTY\n0 0\n");
+    let told = run(&["locate", &file, &points]);
+    assert_eq!(
+        told.notes(),
+        [format!("note: {points}: 1 geometry is empty: it has no point, and gets no answer")]
+    );
+    assert_eq!(told.ok(), "edge 4\n");
+}
+
+#[test]
+fn answers_are_packed() {
+    let folder = Folder::new("locate_gzip");
+    let file = folder.write("line.star", LINE);
+    let points = folder.write("points.txt", "0 1\n0 0\n");
+    for name in ["answers.gz", "answers.txt.GZ"] {
+        let out = folder.path(name);
+        run(&["locate", &file, &points, "-o", &out]).ok();
+        let packed = std::fs::read(&out).unwrap();
+        assert_eq!(packed, splitstar::formats::pack_gzip(b"vertex 6\nedge 4\n"), "{name}");
     }
 }
 

@@ -7,8 +7,10 @@ mod arrange;
 mod convert;
 mod damaged;
 mod defects;
+mod distance;
 mod encode;
 mod formats;
+mod gauss;
 mod invalid;
 mod locate;
 #[cfg(target_os = "linux")]

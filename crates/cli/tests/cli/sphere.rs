@@ -180,6 +180,10 @@ const BAD: &[(&str, &str)] = &[
         ":2: `90.1` where a latitude from -90 to 90 degrees",
     ),
     (
+        "star 1 arrangement\nsurface plane\nface 0\nend\n",
+        ":1: this is an arrangement (star), not a file of curves; give the curves of which it was made; `splitstar locate` asks",
+    ),
+    (
         "{\"type\":\"FeatureCollection\",\"features\":[{\"type\":\"Feature\",\"geometry\":null},{\"type\":\"Feature\",\
          \"geometry\":{\"type\":\"LineString\",\"coordinates\":[[0,10],[180,-10]]}}]}\n",
         ":1: the point is antipodal to the one before it, and every arc between them is as short; give a point between \
@@ -216,6 +220,85 @@ fn other_verbs_name_the_one_for_curves() {
         )),
         "{message}"
     );
+}
+
+/// The places of vertices in the unfolded picture, by their names.
+fn drawn_vertices(picture: &str) -> Vec<(u32, [f64; 2])> {
+    let value =
+        |tag: &str, key: &str| Some(tag.split_once(&format!("{key}=\""))?.1.split('"').next()?.to_string());
+    let circles = picture.split("<circle ").skip(1).filter_map(|rest| {
+        let tag = rest.split("/>").next()?;
+        let number = value(tag, "data-id")?.strip_prefix('v')?.parse().ok()?;
+        Some((number, [value(tag, "cx")?.parse().ok()?, value(tag, "cy")?.parse().ok()?]))
+    });
+    circles.collect()
+}
+
+/// What is drawn, written and located has one number. Nothing is at the north pole, and edges meet at the south pole, or the other way
+/// round; and in the plane there is a vertex at infinity.
+#[test]
+fn pictures_have_the_numbers_of_the_text() {
+    let folder = Folder::new("sphere_numbers");
+    for pole in [-1, 1] {
+        let curves = [[2, 1, 0], [-1, 2, 1], [-3, -2, -1], [1, -2, 2]]
+            .map(|[x, y, z]| format!("arc 0 0 {pole}  {x} {y} {z}\n"));
+        let text = format!("{}arc 3 1 0  1 3 1\npoint 5 -1 1\n", curves.concat());
+        let file = folder.write("curves.txt", &text);
+        let arrange = |words: &[&str]| {
+            run(&[&["arrange", "-q", "--surface", "sphere", &file, "-o", "-"], words].concat()).ok()
+        };
+        let star_text = arrange(&[]);
+        let star = folder.write("a.star", &star_text);
+        let picture = arrange(&["--format", "svg", "--view", "unfolded"]);
+        let drawn = drawn_vertices(&picture);
+        // Longitude, counted from the antimeridian, grows to the right; latitude upwards.
+        let mut places = Vec::new();
+        for line in star_text.lines().filter(|line| line.starts_with("vertex ")) {
+            let words: Vec<&str> = line.split(' ').collect();
+            let [x, y, z] = [2, 3, 4].map(|k| words[k].parse::<f64>().unwrap());
+            let number: u32 = words[1].parse().unwrap();
+            let located = run_with(&["locate", &star, "-"], format!("{x} {y} {z}\n").as_bytes()).ok();
+            assert_eq!(located, format!("vertex {number}\n"));
+            if (x, y) != (0.0, 0.0) && words.len() == 5 {
+                places
+                    .push((number, [(-y).atan2(-x).rem_euclid(std::f64::consts::TAU), z.atan2(x.hypot(y))]));
+            } else if words.len() == 5 {
+                assert!(picture.contains(&format!("data-id=\"v{number}\"")), "the pole: {line}");
+            }
+        }
+        // The arcs to the north pole make one more.
+        let count = if pole < 0 { 7 } else { 8 };
+        assert_eq!((places.len(), drawn.len()), (count, count), "{star_text}");
+        let [(_, [left, bottom]), (_, [right, top])] = [0, count - 1].map(|k| places[k]);
+        let at =
+            |number: u32| drawn.iter().find(|of| of.0 == number).unwrap_or_else(|| panic!("v{number}")).1;
+        let [[x0, y0], [x1, y1]] = [0, count - 1].map(|k| at(places[k].0));
+        for &(number, [u, v]) in &places {
+            let [x, y] = at(number);
+            let expected = [
+                x0 + (u - left) / (right - left) * (x1 - x0),
+                y0 + (v - bottom) / (top - bottom) * (y1 - y0),
+            ];
+            assert!(
+                (x - expected[0]).abs() < 0.01 && (y - expected[1]).abs() < 0.05,
+                "v{number}: {x} {y}, {expected:?}"
+            );
+        }
+        for (letter, keyword) in [('e', "edge "), ('f', "face ")] {
+            let names: BTreeSet<&str> = picture
+                .split("data-id=\"")
+                .skip(1)
+                .filter_map(|rest| rest.split('"').next()?.strip_prefix(letter))
+                .collect();
+            let numbers: BTreeSet<&str> =
+                star_text.lines().filter_map(|line| line.strip_prefix(keyword)?.split(' ').next()).collect();
+            assert_eq!(names, numbers);
+        }
+    }
+    let plane = folder.write("plane.txt", "line 0 0 1 0\npoint 0 1\npoint 2 3\n");
+    let picture = run(&["arrange", "-q", &plane, "-o", "-", "--format", "svg"]).ok();
+    let numbers: Vec<u32> = drawn_vertices(&picture).iter().map(|of| of.0).collect();
+    assert_eq!(numbers, [0, 1]);
 }
 
 const STRATEGIES: [&str; 5] = ["naive", "walk", "landmarks", "trapezoids", "sweep"];
@@ -364,6 +447,16 @@ fn places_are_located() {
             "error: -:1: the vector is zero, and so it has no direction; give one coordinate that is not 0",
         ),
         (
+            "segment 0 0 1 1\n",
+            "error: -:1: `segment` in a file of points of the sphere cannot be read; give points as `x y z` or `point x y z`, \
+             or in WKT or GeoJSON",
+        ),
+        (
+            "period 4 3\n0 0 1\n",
+            "error: -:1: `period` in a file of points of the sphere cannot be read; give points as `x y z` or `point x y z`, \
+             or in WKT or GeoJSON",
+        ),
+        (
             "circle 0 0 1\n",
             "error: -:1: a circle in a file of points; remove it, or give the points that are asked about",
         ),
@@ -377,4 +470,28 @@ fn places_are_located() {
     let plane = folder.write("plane.star", "star 1 arrangement\nsurface plane\nface 0\nend\n");
     let message = run_with(&["locate", &plane, "-"], b"1 2 3\n").error(1);
     assert_eq!(message, "error: -:1: `3` where the end of the line was expected; correct it");
+}
+
+#[test]
+fn faces_too_narrow_for_a_picture_are_noted() {
+    let folder = Folder::new("sphere_narrow");
+    let out = folder.path("out.svg");
+    let note = format!("note: {out}: coordinates differ too little for a picture; write star");
+    for (text, is_noted) in [
+        ("circle 1 2 3\ncircle 1 2 3.00000000000000000001\n", [true, true]),
+        ("circle 1 2 3\ncircle 1 2 3.00001\n", [false; 2]),
+        ("arc 1 0 0 0 1 0\narc 0 1 0 0 0 1\n", [false; 2]),
+        ("point -1 0 1e400\n", [true; 2]),
+        ("# nothing\n", [false; 2]),
+    ] {
+        let file = folder.write("curves.txt", text);
+        for (view, is_noted) in ["globe", "unfolded"].into_iter().zip(is_noted) {
+            let told = run(&["arrange", &file, "-o", &out, "--surface", "sphere", "--view", view]);
+            assert_eq!(told.notes().contains(&note.as_str()), is_noted, "{view} {text}: {}", told.stderr);
+            told.ok();
+        }
+    }
+    let triangle = folder.write("triangle.off", "OFF\n3 0 0\n0 0 0\n1 0 0\n0.5 1e-16 0\n");
+    let told = run(&["gauss", &triangle, "-o", &out]);
+    assert!(told.notes().contains(&note.as_str()), "{}", told.stderr);
 }

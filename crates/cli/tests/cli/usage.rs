@@ -50,7 +50,7 @@ fn a_usage_error_is_found_before_any_file_is_read() {
 fn help_is_complete() {
     let general = run(&["--help"]).ok();
     assert_eq!(run(&["help"]).ok(), general);
-    for verb in ["sum", "hull", "info", "convert", "arrange", "locate"] {
+    for verb in ["sum", "hull", "info", "convert", "distance", "arrange", "locate", "gauss"] {
         assert!(general.contains(&format!("\n  {verb} ")), "{general}");
         let help = run(&[verb, "--help"]).ok();
         assert_eq!(run(&["help", verb]).ok(), help);

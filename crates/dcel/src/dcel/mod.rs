@@ -9,6 +9,7 @@
 //! | `insert`, `remove` | an edge comes, an edge goes |
 //! | `compact` | dense ids again |
 //! | `split` | an edge is split, merged with the next one, turned round |
+//! | `mirror` | the mirror image; vertices exchange their ids |
 //! | `validity`, `euler` | every broken promise; components and genus |
 
 mod access;
@@ -16,6 +17,7 @@ mod compact;
 mod euler;
 mod insert;
 mod lists;
+mod mirror;
 mod place;
 mod remove;
 mod split;

@@ -1,6 +1,6 @@
 //! Tests of the structure made in one go.
 
-use super::{Ccb, CcbKind, Dcel, Face, Halfedge, Isolated, RawCcb, RawDcel, VertexCell};
+use super::{Ccb, CcbKind, Dcel, EndFate, Face, Halfedge, Isolated, RawCcb, RawDcel, Side, VertexCell};
 use crate::{CcbId, EdgeId, FaceId, HalfedgeId, VertexId};
 
 fn halfedge(source: u32, next: u32, ccb: u32) -> Halfedge {
@@ -99,6 +99,57 @@ fn ccbs_are_walked_one_by_one() {
     dcel.merge_faces(FaceId(0), FaceId(1));
     assert!(walk(&dcel, FaceId(1)).is_empty(), "the face is gone");
     assert!(walk(&dcel, FaceId(0)).len() == 5 && dcel.face_ccbs(FaceId(0)).eq(walk(&dcel, FaceId(0))));
+}
+
+#[test]
+fn a_mirror_image_has_left_and_right_exchanged() {
+    let mut dcel = triangle();
+    // An edge in the triangle, one out of a corner of it, and something free.
+    let [v, w, x, y] = [(); 4].map(|()| dcel.add_vertex());
+    dcel.insert_edge_in_face(v, w, FaceId(1), CcbKind::Inner);
+    let pendant = dcel.insert_edge_from(HalfedgeId(5), x);
+    dcel.insert_edge_from(HalfedgeId(4), y);
+    dcel.remove_edge(pendant, [EndFate::Remove; 2], Side::Even);
+    assert_eq!(dcel.check_euler(0), []);
+    let mirrored = dcel.mirrored();
+    assert_eq!(mirrored.check_euler(0), []);
+    for h in dcel.halfedges() {
+        assert_eq!(mirrored.source(h), dcel.source(h));
+        assert_eq!(mirrored.face(h), dcel.face(h.twin()));
+        assert_eq!(mirrored.ccb(h), dcel.ccb(h.twin()));
+        assert_eq!(mirrored.next(h), dcel.prev(h.twin()).twin());
+    }
+    for v in dcel.vertices() {
+        let mut around: Vec<_> = mirrored.around(v).collect();
+        around.get_mut(1..).into_iter().for_each(<[_]>::reverse);
+        assert_eq!(around, dcel.around(v).collect::<Vec<_>>());
+        assert_eq!(mirrored.isolated_face(v), dcel.isolated_face(v));
+    }
+    let again = mirrored.mirrored();
+    assert_eq!(again.halfedges, dcel.halfedges);
+    assert_eq!(again.ccbs, dcel.ccbs);
+}
+
+#[test]
+fn vertices_exchange_their_ids() {
+    let dcel = triangle();
+    let all = [0, 1, 2, 3, 4].map(VertexId);
+    for (v, w) in all.into_iter().flat_map(|v| all.map(|w| (v, w))) {
+        let mut exchanged = dcel.clone();
+        exchanged.exchange_vertices(v, w);
+        assert_eq!(exchanged.check_euler(0), []);
+        let name = |u| {
+            if u == v {
+                w
+            } else if u == w {
+                v
+            } else {
+                u
+            }
+        };
+        assert!(dcel.halfedges().all(|h| exchanged.source(h) == name(dcel.source(h))));
+        assert!(all.iter().all(|&u| exchanged.isolated_face(name(u)) == dcel.isolated_face(u)));
+    }
 }
 
 #[test]

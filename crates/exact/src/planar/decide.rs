@@ -161,7 +161,7 @@ pub(super) fn compare(p: &Point2, q: &Point2, order: Order) -> Ordering {
             (i128::from(p[axis]) * i128::from(q[2])).cmp(&(i128::from(q[axis]) * i128::from(p[2])))
         }),
         (Repr::Crossing { bits, lines: p }, Repr::Crossing { bits: other_bits, lines: q }) => {
-            let bits = u32::from(*bits.max(other_bits));
+            let bits = *bits.max(other_bits);
             if !is_forced() {
                 if order == Order::XThenY
                     && let Some(ordering) = compare_on_shared_line(p, q, bits)
@@ -174,11 +174,9 @@ pub(super) fn compare(p: &Point2, q: &Point2, order: Order) -> Ordering {
             }
             compare_crossings::<Fixed>(p, q, order)
         }
-        (Repr::Explicit(p), Repr::Crossing { bits, lines }) => {
-            compare_to_crossing(p, (u32::from(*bits), lines), order)
-        }
+        (Repr::Explicit(p), Repr::Crossing { bits, lines }) => compare_to_crossing(p, (*bits, lines), order),
         (Repr::Crossing { bits, lines }, Repr::Explicit(q)) => {
-            compare_to_crossing(q, (u32::from(*bits), lines), order).reverse()
+            compare_to_crossing(q, (*bits, lines), order).reverse()
         }
         (Repr::Wide(p), Repr::Wide(q)) if !is_forced() && Arc::ptr_eq(p, q) => {
             count(Stage::Big);
@@ -236,7 +234,7 @@ pub(super) fn side(p: &Point2, line: &Line2) -> Sign {
             }
         }
         Repr::Crossing { bits, lines } if !is_forced() => {
-            side_in_machine(lines, narrow, line_bits.max(u32::from(*bits)))
+            side_in_machine(lines, narrow, line_bits.max(*bits))
         }
         Repr::Crossing { lines, .. } => side_of_crossing::<Fixed>(lines, narrow),
         Repr::Wide(_) => side_big(p, line),

@@ -33,7 +33,8 @@ pub struct Line2 {
 
 #[derive(Clone)]
 enum Repr {
-    Narrow { bits: u8, line: NarrowLine },
+    // In 32 bits, because copies of a byte with the gap after it are slow.
+    Narrow { bits: u32, line: NarrowLine },
     Wide(Arc<WideLine>),
 }
 
@@ -63,6 +64,12 @@ impl NarrowLine {
         Self { a, b, c: [c as u64, (c >> 64) as u64] }
     }
 
+    /// The image under (x, y) -> (-y, -x), as narrow as the line.
+    pub(super) fn reflected_at_antidiagonal(&self) -> Self {
+        let (a, b, c) = (-self.b, -self.a, self.c());
+        if b < 0 || (b == 0 && a > 0) { Self::new(-a, -b, -c) } else { Self::new(a, b, c) }
+    }
+
     #[inline(always)]
     pub(super) fn c(&self) -> i128 {
         i128::from(self.c[1] as i64) << 64 | i128::from(self.c[0])
@@ -89,7 +96,11 @@ impl Line2 {
     pub fn through(p: &Point2, q: &Point2) -> Option<Self> {
         let (Some(&[px, py, pw]), Some(&[qx, qy, qw])) = (p.as_narrow(), q.as_narrow()) else {
             let ([px, py, pw], [qx, qy, qw]) = (p.homogeneous(), q.homogeneous());
-            return Self::of_integers([&py * &qw - &qy * &pw, &qx * &pw - &px * &qw, &py * &qx - &px * &qy]);
+            return Self::from_integers([
+                &py * &qw - &qy * &pw,
+                &qx * &pw - &px * &qw,
+                &py * &qx - &px * &qy,
+            ]);
         };
         // Narrow numerators and weights are below 2^61.
         let c = i128::from(py) * i128::from(qx) - i128::from(px) * i128::from(qy);
@@ -131,11 +142,17 @@ impl Line2 {
     /// ```
     pub fn from_coefficients(a: &Rational, b: &Rational, c: &Rational) -> Option<Self> {
         let weight = a.denominator().lcm(&b.denominator()).lcm(&c.denominator());
-        Self::of_integers([a, b, c].map(|value| value.numerator() * weight.div_exact(&value.denominator())))
+        Self::from_integers([a, b, c].map(|value| value.numerator() * weight.div_exact(&value.denominator())))
     }
 
-    /// Any integers; `None` if a and b are zero.
-    fn of_integers([a, b, c]: [Integer; 3]) -> Option<Self> {
+    /// Makes the line a x + b y = c with any integers; `None` if a and b are zero.
+    ///
+    /// ```
+    /// use exact::planar::Line2;
+    /// assert_eq!(Line2::from_integers([4, -6, 2].map(Into::into)).expect("not all are zero").to_string(), "-2 x + 3 y = -1");
+    /// assert_eq!(Line2::from_integers([0, 0, 2].map(Into::into)), None);
+    /// ```
+    pub fn from_integers([a, b, c]: [Integer; 3]) -> Option<Self> {
         let divisor = a.gcd(&b);
         if divisor.is_zero() {
             return None;
@@ -155,6 +172,13 @@ impl Line2 {
         Some(Self::wide([a, b, c]))
     }
 
+    /// Coprime machine integers; `None` if a and b are zero.
+    #[inline]
+    pub(crate) fn from_coprime(coefficients: [i64; 3]) -> Option<Self> {
+        let [a, b, c] = coefficients.map(i128::from);
+        (a != 0 || b != 0).then(|| Self::of_coprime(a, b, c))
+    }
+
     /// Coprime integers above -2^127, a and b not both zero.
     #[inline]
     fn of_coprime(a: i128, b: i128, c: i128) -> Self {
@@ -164,7 +188,7 @@ impl Line2 {
             return Self::wide([a, b, c].map(Integer::from));
         }
         let line = NarrowLine::new(a as i64, b as i64, c);
-        Self { approx_c: c as f64, repr: Repr::Narrow { bits: bits as u8, line } }
+        Self { approx_c: c as f64, repr: Repr::Narrow { bits, line } }
     }
 
     /// Coprime integers that are not all narrow, with any sign.
@@ -176,6 +200,20 @@ impl Line2 {
         Self { approx_c: c, repr: Repr::Wide(Arc::new(WideLine { coefficients, approx: [a, b] })) }
     }
 
+    /// The image under (x, y) -> (-y, -x).
+    pub(crate) fn reflected_at_antidiagonal(&self) -> Self {
+        match &self.repr {
+            Repr::Narrow { bits, line } => {
+                let line = line.reflected_at_antidiagonal();
+                Self { approx_c: line.c() as f64, repr: Repr::Narrow { bits: *bits, line } }
+            }
+            Repr::Wide(line) => {
+                let [a, b, c] = &line.coefficients;
+                Self::wide([-b, -a, c.clone()])
+            }
+        }
+    }
+
     /// The line of narrow coefficients in normal form.
     pub(super) fn of_narrow(line: &NarrowLine) -> Self {
         Self::of_coprime(line.a.into(), line.b.into(), line.c())
@@ -185,7 +223,7 @@ impl Line2 {
     #[inline(always)]
     pub(super) fn as_narrow(&self) -> Option<(&NarrowLine, u32)> {
         match &self.repr {
-            Repr::Narrow { bits, line } => Some((line, u32::from(*bits))),
+            Repr::Narrow { bits, line } => Some((line, *bits)),
             Repr::Wide(_) => None,
         }
     }

@@ -41,7 +41,8 @@ pub(super) enum Repr {
     /// x, y and the positive weight w, below 2^61 in magnitude.
     Explicit([i64; 3]),
     /// Two lines, the one with the lesser slope first, so that W is positive; both have at most `bits` (see [`super`]).
-    Crossing { bits: u8, lines: [NarrowLine; 2] },
+    // In 32 bits, because copies of a byte with the gap after it are slow.
+    Crossing { bits: u32, lines: [NarrowLine; 2] },
     /// X, Y and the positive weight W.
     Wide(Arc<[Integer; 3]>),
 }
@@ -132,6 +133,33 @@ impl Point2 {
         Some(point)
     }
 
+    /// Makes the point (x/w, y/w) of machine integers with a positive weight w.
+    #[inline]
+    pub(crate) fn from_weighted(homogeneous: [i64; 3]) -> Self {
+        let [x, y, w] = homogeneous;
+        debug_assert!(w > 0, "the weight is positive");
+        if (x.unsigned_abs() | y.unsigned_abs() | w.unsigned_abs()) >> NARROW_BITS == 0 {
+            return Self::explicit(homogeneous);
+        }
+        Self::of_homogeneous(homogeneous.map(Integer::from))
+    }
+
+    /// Makes the point (x/w, y/w) of integers; `None` if w is zero.
+    ///
+    /// ```
+    /// use exact::planar::Point2;
+    /// let point = Point2::from_homogeneous([4, -1, -2].map(Into::into)).expect("a weight that is not zero");
+    /// assert_eq!(point.to_string(), "(-2, 1/2)");
+    /// assert_eq!(Point2::from_homogeneous([4, -1, 0].map(Into::into)), None);
+    /// ```
+    pub fn from_homogeneous(homogeneous: [Integer; 3]) -> Option<Self> {
+        match homogeneous[2].sign() {
+            Sign::Zero => None,
+            Sign::Positive => Some(Self::of_homogeneous(homogeneous)),
+            Sign::Negative => Some(Self::of_homogeneous(homogeneous.map(|value| -value))),
+        }
+    }
+
     /// A point with a positive weight.
     fn of_homogeneous(homogeneous: [Integer; 3]) -> Self {
         let machine = homogeneous.each_ref().map(Integer::to_i64);
@@ -188,7 +216,7 @@ impl Point2 {
         {
             return Some(Self::from_i64([i, j]));
         }
-        Some(Self::new(approx, error, Repr::Crossing { bits: bits as u8, lines: [*l, *m] }))
+        Some(Self::new(approx, error, Repr::Crossing { bits, lines: [*l, *m] }))
     }
 
     /// In fixed width: W < 2^125, |X|, |Y| < 2^187.
@@ -209,7 +237,7 @@ impl Point2 {
         {
             return Some(Self::from_i64([i, j]));
         }
-        Some(Self::new(approx, error, Repr::Crossing { bits: bits as u8, lines }))
+        Some(Self::new(approx, error, Repr::Crossing { bits, lines }))
     }
 
     #[cold]
@@ -232,8 +260,16 @@ impl Point2 {
         }
     }
 
+    /// The lines that cross here, if the point is held so.
+    pub(crate) fn crossing_lines(&self) -> Option<[Line2; 2]> {
+        match &self.repr {
+            Repr::Crossing { lines, .. } => Some(lines.each_ref().map(Line2::of_narrow)),
+            _ => None,
+        }
+    }
+
     /// X, Y and the positive weight W.
-    pub(super) fn homogeneous(&self) -> [Integer; 3] {
+    pub(crate) fn homogeneous(&self) -> [Integer; 3] {
         match &self.repr {
             Repr::Explicit(homogeneous) => homogeneous.map(Integer::from),
             Repr::Crossing { lines, .. } => {
@@ -257,6 +293,27 @@ impl Point2 {
     #[inline]
     pub fn is_explicit(&self) -> bool {
         !matches!(self.repr, Repr::Crossing { .. })
+    }
+
+    /// The image under (x, y) -> (-y, -x).
+    pub(crate) fn reflected_at_antidiagonal(&self) -> Self {
+        let [x, y] = self.approx;
+        // 0 - x keeps zeros positive.
+        let approx = [0.0 - y, 0.0 - x];
+        let repr = match &self.repr {
+            Repr::Explicit([x, y, w]) => Repr::Explicit([-y, -x, *w]),
+            Repr::Crossing { bits, lines } => {
+                let [l, m] = lines.each_ref().map(NarrowLine::reflected_at_antidiagonal);
+                // The slopes become their inverses.
+                let is_in_order = i128::from(l.a) * i128::from(m.b) > i128::from(m.a) * i128::from(l.b);
+                Repr::Crossing { bits: *bits, lines: if is_in_order { [l, m] } else { [m, l] } }
+            }
+            Repr::Wide(homogeneous) => {
+                let [x, y, w] = &**homogeneous;
+                Repr::Wide(Arc::new([-y, -x, w.clone()]))
+            }
+        };
+        Self::new(approx, self.error, repr)
     }
 
     /// Gives the point moved by a vector.

@@ -68,8 +68,9 @@ const UNIT_32: f64 = (f32::EPSILON / 2.0) as f64;
 ///
 /// # Proof
 /// As for a dot product of boxes, but N are `f32`s, rounded from the box of the normal, whose error is at most 2^-51 of its greatest coordinate, hence at
-/// most 2^-50 S. Rounding to an `f32` adds at most v = 2^-24 of the coordinate: below 2^63, it has no overflow, and no integer is subnormal. So n differs
-/// from N by at most v (1 + 2 v) |N| and 2^-50 S, and the value by at most v (1 + 2 v) M and 2^-50 S T. The bound has 2 v M and 2^-49 S T, and e S as before.
+/// most 2^-50 S. Rounding to an `f32` adds at most v = 2^-24 of the coordinate: below 2^63, it has no overflow. What is subnormal as an `f32`, in a wide
+/// normal, where S is at least 2^60, is off by 2^-149 at most, below 2^-200 S. So n differs from N by at most v (1 + 2 v) |N| and 2^-50 S (1 + 2^-150), and the
+/// value by at most v (1 + 2 v) M and 2^-50 S T (1 + 2^-150). The bound has 2 v M and 2^-49 S T, and e S as before.
 ///
 /// ```
 /// use exact::spherical::{Direction, GreatCircle, side_of_key};

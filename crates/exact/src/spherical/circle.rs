@@ -2,6 +2,7 @@
 
 use super::{Direction, NARROW_BITS, decide};
 use crate::gcd::{gcd_u64, gcd_u128};
+use crate::rational::{approx_quotient, power_of_two};
 use crate::{Integer, Quaternion, Sign, Vector3};
 use std::fmt;
 use std::hash::{Hash, Hasher};
@@ -44,16 +45,28 @@ const _: () = assert!(size_of::<GreatCircle>() <= 32);
 /// Half the distance from 1 to the next `f64`.
 const UNIT: f64 = f64::EPSILON / 2.0;
 
-/// Floats near to a positive multiple of a vector that is not zero, and a bound of their errors, of which 4/5 are kept.
+/// The floats nearest to a vector that is not zero, divided by a power of two, and a bound of their errors, of which 4/5 are kept.
+///
+/// Every float is the nearest one to its own coordinate, however small that is beside the others: so floats tell where a point is beside a
+/// pole. Only below 2^-1022 precision is lost, and below 2^-1075 all of it.
 ///
 /// # Proof
-/// With b bits of the greatest coordinate, b > 62, all are divided by 2^(b - 62) and rounded down to integers below 2^62 in magnitude (2^62
-/// itself for a negative one): by less than 1. The greatest is at least 2^61 - 1. Rounding to a float adds u = 2^-53 of the float at most. So the
-/// error is at most 1 + 2^62 u < 520, and the bound is 2 u 2^62 = 1024.
+/// With b bits of the greatest coordinate, b > 62, all are divided by 2^(b - 62). The greatest is at least 2^61 then, and all are below 2^62. With
+/// u = 2^-53, rounding changes one by u 2^62 = 512 at most, and the bound is 2 u 2^62 = 1024.
 pub(super) fn approx_scaled(vector: &[Integer; 3]) -> ([f64; 3], f64) {
     let bits = vector.iter().map(Integer::bit_len).max().unwrap_or(0);
     let shift = bits.saturating_sub(NARROW_BITS);
-    let scaled = vector.each_ref().map(|value| (value.clone() >> shift).approx_f64());
+    let scaled = if bits < f64::MAX_EXP.unsigned_abs() {
+        // No integer is infinite then, nor is a quotient below 2^-1022: so dividing is exact.
+        let unit = power_of_two(-i64::from(shift));
+        vector.each_ref().map(|value| value.approx_f64() * unit)
+    } else {
+        let unit = Integer::ONE << shift;
+        vector.each_ref().map(|value| {
+            let magnitude = approx_quotient(&value.abs(), &unit);
+            if value.sign() == Sign::Negative { -magnitude } else { magnitude }
+        })
+    };
     (scaled, 2.0 * UNIT * (1_u64 << NARROW_BITS) as f64)
 }
 
@@ -128,7 +141,7 @@ impl GreatCircle {
     }
 
     /// Any integers; `None` if all are zero.
-    pub(super) fn of_integers([x, y, z]: [Integer; 3]) -> Option<Self> {
+    pub(crate) fn of_integers([x, y, z]: [Integer; 3]) -> Option<Self> {
         let divisor = x.gcd(&y).gcd(&z);
         if divisor.is_zero() {
             return None;
@@ -161,6 +174,12 @@ impl GreatCircle {
     fn wide(normal: [Integer; 3]) -> Self {
         let (approx, _) = approx_scaled(&normal);
         Self(Repr::Wide(Arc::new(WideNormal { normal, approx })))
+    }
+
+    /// The normal, if it is narrow.
+    #[inline(always)]
+    pub(crate) fn narrow_normal(&self) -> Option<&[i64; 3]> {
+        self.as_narrow().map(|(normal, _)| normal)
     }
 
     /// The normal, if it is narrow, and the least k such that its coordinates are below 2^k.

@@ -3,8 +3,9 @@
 use super::circle::{approx_scaled, bits_of, product, reduced};
 use super::decide;
 use super::{GreatCircle, NARROW_BITS, predicates};
-use crate::stage::is_forced;
+use crate::stage::{Stage, are_boxes_skipped, count, is_forced};
 use crate::{Integer, Quaternion, Rational, Sign, Vector3};
+use std::cmp::Ordering;
 use std::fmt;
 use std::sync::Arc;
 
@@ -150,9 +151,18 @@ impl Direction {
 
     /// The coordinates of a narrow explicit direction.
     #[inline(always)]
-    pub(super) fn as_narrow(&self) -> Option<&[i64; 3]> {
+    pub(crate) fn as_narrow(&self) -> Option<&[i64; 3]> {
         match &self.repr {
             Repr::Explicit(coordinates) => Some(coordinates),
+            _ => None,
+        }
+    }
+
+    /// The normals whose vector product this is, if it is held so.
+    #[inline]
+    pub(crate) fn crossing_normals(&self) -> Option<&[[i64; 3]; 2]> {
+        match &self.repr {
+            Repr::Crossing { normals, .. } => Some(normals),
             _ => None,
         }
     }
@@ -196,6 +206,52 @@ impl Direction {
         }
         let [x, y, z] = [0, 1, 2].map(|axis| predicates::coordinate_sign(self, axis));
         if x.is_zero() && y.is_zero() { z } else { Sign::Zero }
+    }
+
+    /// Compares the magnitudes of two coordinates; axes are counted 0, 1, 2.
+    ///
+    /// # Panics
+    /// If an axis is not below 3.
+    ///
+    /// # Complexity
+    /// Degree 2 for a crossing, after the filter on its box.
+    ///
+    /// ```
+    /// use exact::spherical::Direction;
+    /// let p = Direction::from_i64([2, -3, 3]).expect("not zero");
+    /// assert!(p.compare_magnitudes(0, 1).is_lt() && p.compare_magnitudes(1, 2).is_eq());
+    /// ```
+    #[inline]
+    pub fn compare_magnitudes(&self, axis: usize, other: usize) -> Ordering {
+        if !are_boxes_skipped() {
+            // The magnitudes of the floats are as near to those of the coordinates: each within 4/5 of the error.
+            let difference = self.approx[axis].abs() - self.approx[other].abs();
+            if difference.abs() > 2.0 * self.error || self.error == 0.0 {
+                count(Stage::Float);
+                return if difference == 0.0 {
+                    Ordering::Equal
+                } else if difference > 0.0 {
+                    Ordering::Greater
+                } else {
+                    Ordering::Less
+                };
+            }
+        }
+        match &self.repr {
+            Repr::Explicit(coordinates) => {
+                count(Stage::Narrow);
+                coordinates[axis].unsigned_abs().cmp(&coordinates[other].unsigned_abs())
+            }
+            Repr::Crossing { normals: [m, n], .. } => {
+                count(Stage::Narrow);
+                let coordinates = decide::cross_i128(m, n);
+                coordinates[axis].unsigned_abs().cmp(&coordinates[other].unsigned_abs())
+            }
+            Repr::Wide(coordinates) => {
+                count(Stage::Big);
+                coordinates[axis].abs().cmp(&coordinates[other].abs())
+            }
+        }
     }
 
     /// Gives the antipodal point.

@@ -4,6 +4,7 @@ use crate::tier::{Start, force};
 use crate::{Integer, Quaternion, Rational, Sign, Vector3};
 use std::cmp::Ordering;
 
+mod floats;
 mod keys;
 mod stages;
 

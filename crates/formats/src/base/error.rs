@@ -126,6 +126,13 @@ pub enum Fault {
         /// Why.
         why: String,
     },
+    /// In a feature of a collection of GeoJSON, something is wrong.
+    InFeature {
+        /// The number of the feature, from 0.
+        feature: usize,
+        /// What is wrong.
+        fault: Box<Self>,
+    },
     /// Reading would take more memory than a file of this size may.
     TooMuchMemory {
         /// How many bytes it may take.
@@ -187,6 +194,14 @@ impl From<Fault> for Located {
 }
 
 impl Located {
+    /// The same in a feature of a collection. That there is too little memory is a fault of the file.
+    pub(crate) fn in_feature(self, feature: usize) -> Self {
+        match self.fault {
+            Fault::TooMuchMemory { .. } => self,
+            fault => Self { fault: Fault::InFeature { feature, fault: Box::new(fault) }, ..self },
+        }
+    }
+
     pub(crate) fn of_format(self, format: Format) -> ReadError {
         ReadError { format: Some(format), part: None, place: self.place, fault: self.fault }
     }
@@ -297,6 +312,7 @@ impl fmt::Display for Fault {
             Self::AfterEnd { token, end } => {
                 write!(f, "`{token}` after the end of {end}; remove it")
             }
+            Self::InFeature { feature, fault } => write!(f, "{fault} (in feature {feature}, counted from 0)"),
             Self::Packed { why } => write!(f, "the packed data is damaged: {why}; pack it again"),
             Self::TooMuchMemory { allowed } => write!(
                 f,

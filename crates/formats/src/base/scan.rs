@@ -8,12 +8,12 @@ pub(crate) struct Token<'a> {
 }
 
 impl Token<'_> {
-    /// The token as an error message shows it: at most 40 characters, nothing unprintable.
+    /// The token as an error message shows it: at most 40 characters, nothing unprintable. Quotes and backslashes are as they are.
     pub(crate) fn shown(&self) -> String {
         const LONGEST: usize = 40;
-        let mut text = match std::str::from_utf8(self.bytes) {
-            Ok(text) => text.escape_debug().take(LONGEST + 1).collect::<String>(),
-            Err(_) => self.bytes.escape_ascii().take(LONGEST + 1).map(char::from).collect(),
+        let mut text: String = match std::str::from_utf8(self.bytes) {
+            Ok(text) => with_quotes(text.escape_debug()).take(LONGEST + 1).collect(),
+            Err(_) => with_quotes(self.bytes.escape_ascii().map(char::from)).take(LONGEST + 1).collect(),
         };
         if let Some((cut, _)) = text.char_indices().nth(LONGEST) {
             text.truncate(cut);
@@ -21,6 +21,15 @@ impl Token<'_> {
         }
         text
     }
+}
+
+/// Takes the backslashes before quotes and backslashes out of an escaped text.
+fn with_quotes(escaped: impl Iterator<Item = char>) -> impl Iterator<Item = char> {
+    let mut escaped = escaped.peekable();
+    std::iter::from_fn(move || match escaped.next()? {
+        '\\' => escaped.next_if(|next| matches!(next, '"' | '\'' | '\\')).or(Some('\\')),
+        other => Some(other),
+    })
 }
 
 /// Walks over the words of a text. Lines end with LF, CR LF or CR; `#` starts a comment that runs to
@@ -142,5 +151,7 @@ mod tests {
         assert_eq!(shown(b"1\xFF\x00"), "1\\xff\\x00");
         assert_eq!(shown("1,5\u{e9}".as_bytes()), "1,5\u{e9}");
         assert_eq!(shown(&[b'7'; 1000]).len(), 43);
+        assert_eq!(shown(br#""a\"'b\n""#), r#""a\"'b\n""#);
+        assert_eq!(shown(b"\"\\\xFF\t\""), "\"\\\\xff\\t\"");
     }
 }

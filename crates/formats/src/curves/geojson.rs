@@ -223,9 +223,10 @@ impl<'a, S: Surface> Reader<'a, '_, '_, S> {
             Kind::FeatureCollection => {
                 let mut number = 0;
                 self.array("features", |reader| {
-                    reader.maker.set_feature(Some(number));
+                    let feature = number;
                     number += 1;
-                    reader.object(Role::Feature)
+                    reader.maker.set_feature(Some(feature));
+                    reader.object(Role::Feature).map_err(|error| error.in_feature(feature))
                 })?;
                 self.maker.set_feature(None);
             }

@@ -101,6 +101,22 @@ impl<'a> Lexer<'a> {
             .ok_or_else(|| Fault::LineEnds { expected: expected.into() }.at(Place::Line(self.line)))
     }
 
+    /// The next coordinate of a record of our own words, which must be there: `expected` is a noun.
+    #[inline]
+    pub(super) fn coordinate_in_line(&mut self, expected: &str) -> Result<Token<'a>, Located> {
+        let token = self.expect_in_line(expected)?;
+        if is_separator(token) { Err(separated(token)) } else { Ok(token) }
+    }
+
+    /// The next coordinate of a record of our own words, if there is one.
+    #[inline]
+    pub(super) fn next_coordinate_in_line(&mut self) -> Result<Option<Token<'a>>, Located> {
+        match self.token_in_line() {
+            Some(token) if is_separator(token) => Err(separated(token)),
+            token => Ok(token),
+        }
+    }
+
     /// The next token, in this line or in a later one, which must be there: `expected` is a noun.
     #[inline]
     pub(super) fn expect(&mut self, expected: &str) -> Result<Token<'a>, Located> {
@@ -148,6 +164,18 @@ pub(super) fn text_of(token: Token<'_>) -> Option<&[u8]> {
     backslashes.is_multiple_of(2).then_some(text)
 }
 
+#[inline]
+fn is_separator(token: Token<'_>) -> bool {
+    matches!(token.bytes, b"," | b";" | b":")
+}
+
+#[cold]
+fn separated(token: Token<'_>) -> Located {
+    token.fault(|mark| Fault::Malformed {
+        why: format!("`{mark}` between coordinates; write a blank instead"),
+    })
+}
+
 /// Whether a token is punctuation.
 pub(super) fn is_mark(token: Token<'_>) -> bool {
     token.bytes.first().is_some_and(|&byte| class(byte) == Class::Mark)
@@ -188,7 +216,7 @@ mod tests {
         let seen = tokens(b"\xEF\xBB\xBFa(1,-2);#c (\r\n\r{\"k\":\n[]}# x");
         let seen: Vec<_> = seen.iter().map(|(text, line)| (text.as_str(), *line)).collect();
         let first = ["a", "(", "1", ",", "-2", ")", ";"].map(|text| (text, 1));
-        let rest = [("{", 3), ("\\\"k\\\"", 3), (":", 3), ("[", 4), ("]", 4), ("}", 4)];
+        let rest = [("{", 3), ("\"k\"", 3), (":", 3), ("[", 4), ("]", 4), ("}", 4)];
         assert_eq!(seen, [first.as_slice(), &rest].concat());
     }
 

@@ -37,6 +37,8 @@ pub(super) struct Maker<'b, S: Surface> {
     curves: Vec<S::Curve>,
     places: PlaceList,
     pub(super) budget: &'b mut Budget,
+    /// What a file of points has; `None` for a file of curves.
+    points: Option<Vec<S::Point>>,
     /// The feature of a collection that is being read, from 0.
     feature: Option<usize>,
     /// The polyline that is being read, without repeated points.
@@ -47,10 +49,26 @@ pub(super) struct Maker<'b, S: Surface> {
     chain_line: u32,
     /// For how many points of it memory is charged.
     charged: usize,
-    dropped: usize,
-    repeated: usize,
-    collapsed: usize,
-    empty: usize,
+    dropped: Tally,
+    repeated: Tally,
+    collapsed: Tally,
+    empty: Tally,
+}
+
+/// How often something was noticed, and in which feature first.
+#[derive(Clone, Copy, Default)]
+struct Tally {
+    count: usize,
+    feature: Option<usize>,
+}
+
+impl Tally {
+    fn add(&mut self, count: usize, feature: Option<usize>) {
+        if self.count == 0 && count > 0 {
+            self.feature = feature;
+        }
+        self.count += count;
+    }
 }
 
 /// What a polyline may be.
@@ -77,10 +95,12 @@ impl<'b, S: Surface> Maker<'b, S> {
     const CURVE: u64 = GROWTH * (size_of::<S::Curve>() as u64 + 4);
     const POINT: u64 = size_of::<S::Point>() as u64;
 
+    /// For a file of curves.
     pub(super) fn new(surface: S, budget: &'b mut Budget) -> Self {
         Self {
             surface,
             curves: Vec::new(),
+            points: None,
             places: PlaceList::lines(),
             budget,
             feature: None,
@@ -88,11 +108,20 @@ impl<'b, S: Surface> Maker<'b, S> {
             given: 0,
             chain_line: 0,
             charged: 0,
-            dropped: 0,
-            repeated: 0,
-            collapsed: 0,
-            empty: 0,
+            dropped: Tally::default(),
+            repeated: Tally::default(),
+            collapsed: Tally::default(),
+            empty: Tally::default(),
         }
+    }
+
+    /// For a file of points: other curves are refused.
+    pub(super) fn of_points(surface: S, budget: &'b mut Budget) -> Self {
+        Self { points: Some(Vec::new()), ..Self::new(surface, budget) }
+    }
+
+    pub(super) fn is_of_points(&self) -> bool {
+        self.points.is_some()
     }
 
     /// Passes over a third or a later coordinate. What is left out need not be finite.
@@ -105,23 +134,17 @@ impl<'b, S: Surface> Maker<'b, S> {
 
     /// A point had more than two coordinates.
     pub(super) fn count_dropped(&mut self) {
-        self.dropped += 1;
+        self.dropped.add(1, self.feature);
     }
 
     /// A geometry had no point.
     pub(super) fn count_empty(&mut self) {
-        self.empty += 1;
+        self.empty.add(1, self.feature);
     }
 
     /// Remembers which feature of a collection is read, from 0.
     pub(super) fn set_feature(&mut self, feature: Option<usize>) {
         self.feature = feature;
-    }
-
-    /// What a message says behind the name of a thing: in which feature that is.
-    #[cold]
-    pub(super) fn in_feature(&self) -> String {
-        self.feature.map(|feature| format!(" (in feature {feature}, counted from 0)")).unwrap_or_default()
     }
 
     /// Adds an isolated point.
@@ -147,8 +170,7 @@ impl<'b, S: Surface> Maker<'b, S> {
                 return Ok(());
             }
             if let Err(why) = S::check_step(last, &point) {
-                let why = format!("{why}{}", self.in_feature());
-                return Err(Fault::Malformed { why }.at(Place::Line(line)));
+                return Err(Fault::Malformed { why: why.into() }.at(Place::Line(line)));
             }
         }
         if self.chain.len() == self.charged {
@@ -171,11 +193,11 @@ impl<'b, S: Surface> Maker<'b, S> {
         }
         let repeated = self.given - self.chain.len();
         if self.chain.len() == 1 {
-            self.collapsed += 1;
+            self.collapsed.add(1, self.feature);
             let point = self.chain.pop().expect("a polyline has a point");
             return self.point(point, line);
         }
-        self.repeated += repeated;
+        self.repeated.add(repeated, self.feature);
         self.budget.charge(Self::POINT * self.chain.len() as u64).at_line(line)?;
         let points = self.chain.drain(..).collect();
         self.push(S::of_chain(points), line)
@@ -193,34 +215,20 @@ impl<'b, S: Surface> Maker<'b, S> {
             let why = format!("more than {} curves; split the file", u32::MAX - 1);
             return Err(Fault::Malformed { why }.at(Place::Line(line)));
         }
-        self.curves.push(curve);
-        self.places.push(Place::Line(line));
-        Ok(())
-    }
-
-    /// Adds a point to those that were taken out: what stands in a line of its own takes less than a curve.
-    #[inline]
-    pub(super) fn bare_point(
-        &mut self,
-        point: S::Point,
-        line: u32,
-        points: &mut Vec<S::Point>,
-    ) -> Result<(), Located> {
-        self.budget.charge(GROWTH * (Self::POINT + 4)).at_line(line)?;
-        points.push(point);
-        self.places.push(Place::Line(line));
-        Ok(())
-    }
-
-    /// Takes the curves out that were added since the last call, which must be points.
-    #[inline]
-    pub(super) fn take_points(&mut self, into: &mut Vec<S::Point>) -> Result<(), Located> {
-        for curve in self.curves.drain(..) {
-            match S::into_point(curve) {
-                Ok(point) => into.push(point),
-                Err(name) => return Err(not_a_point(name, self.places.get(into.len()))),
-            }
+        match &mut self.points {
+            None => self.curves.push(curve),
+            Some(points) => points.push(S::into_point(curve).map_err(|name| not_a_point(name, line))?),
         }
+        self.places.push(Place::Line(line));
+        Ok(())
+    }
+
+    /// Adds a point that stands in a line of its own, in a file of points: it takes less than a curve.
+    #[inline]
+    pub(super) fn bare_point(&mut self, point: S::Point, line: u32) -> Result<(), Located> {
+        self.budget.charge(GROWTH * (Self::POINT + 4)).at_line(line)?;
+        self.points.get_or_insert_default().push(point);
+        self.places.push(Place::Line(line));
         Ok(())
     }
 
@@ -230,29 +238,36 @@ impl<'b, S: Surface> Maker<'b, S> {
         Collected { surface: self.surface, items: self.curves, places: self.places, notes }
     }
 
-    /// A file of the points that were taken out.
-    pub(super) fn finish_points(self, points: Vec<S::Point>) -> Collected<S, S::Point> {
+    /// What a file of points has.
+    pub(super) fn finish_points(self) -> Collected<S, S::Point> {
         let mut notes = self.notes();
+        let points = self.points.unwrap_or_default();
         notes.extend(points.is_empty().then_some(CurveNote::NoPoints));
         Collected { surface: self.surface, items: points, places: self.places, notes }
     }
 
     fn notes(&self) -> Vec<CurveNote> {
-        let &Self { dropped, repeated, collapsed, empty, .. } = self;
+        let made = |tally: Tally, note: fn(usize, Option<usize>) -> CurveNote| {
+            (tally.count > 0).then(|| note(tally.count, tally.feature))
+        };
+        let of_empty: fn(usize, Option<usize>) -> CurveNote = match self.is_of_points() {
+            false => |geometries, feature| CurveNote::EmptyGeometries { geometries, feature },
+            true => |geometries, feature| CurveNote::EmptyPoints { geometries, feature },
+        };
         let notes = [
-            (dropped > 0).then_some(CurveNote::CoordinatesDropped { points: dropped }),
-            (repeated > 0).then_some(CurveNote::RepeatedPoints { points: repeated }),
-            (collapsed > 0).then_some(CurveNote::Collapsed { polylines: collapsed }),
-            (empty > 0).then_some(CurveNote::EmptyGeometries { geometries: empty }),
+            made(self.dropped, |points, feature| CurveNote::CoordinatesDropped { points, feature }),
+            made(self.repeated, |points, feature| CurveNote::RepeatedPoints { points, feature }),
+            made(self.collapsed, |polylines, feature| CurveNote::Collapsed { polylines, feature }),
+            made(self.empty, of_empty),
         ];
         notes.into_iter().flatten().collect()
     }
 }
 
 #[cold]
-fn not_a_point(name: &str, place: Option<Place>) -> Located {
+fn not_a_point(name: &str, line: u32) -> Located {
     let why = format!("{name} in a file of points; remove it, or give the points that are asked about");
-    Located { place, fault: Fault::Malformed { why } }
+    Fault::Malformed { why }.at(Place::Line(line))
 }
 
 #[cold]

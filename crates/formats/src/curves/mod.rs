@@ -27,6 +27,7 @@ mod sphere;
 mod wkt;
 mod write;
 
+pub(crate) use read::{of_no_format, read_packed, unsupported};
 pub(crate) use sphere::{SphereFault, check_sphere_curve};
 
 pub use model::{

@@ -107,21 +107,36 @@ pub enum CurveNote {
     CoordinatesDropped {
         /// The number of points that had any.
         points: usize,
+        /// The feature of a collection where the first one is, from 0.
+        feature: Option<usize>,
     },
     /// Points of a polyline that are the same as the point before them were left out.
     RepeatedPoints {
         /// The number of points left out.
         points: usize,
+        /// The feature of a collection where the first one is, from 0.
+        feature: Option<usize>,
     },
     /// Polylines all of whose points are the same became points.
     Collapsed {
         /// The number of such polylines.
         polylines: usize,
+        /// The feature of a collection where the first one is, from 0.
+        feature: Option<usize>,
     },
     /// Geometries of WKT and GeoJSON had no coordinates.
     EmptyGeometries {
         /// The number of such geometries.
         geometries: usize,
+        /// The feature of a collection where the first one is, from 0.
+        feature: Option<usize>,
+    },
+    /// Geometries of WKT and GeoJSON in a file of points had no coordinates.
+    EmptyPoints {
+        /// The number of such geometries.
+        geometries: usize,
+        /// The feature of a collection where the first one is, from 0.
+        feature: Option<usize>,
     },
     /// The file has no curve.
     NoCurves,
@@ -131,31 +146,52 @@ pub enum CurveNote {
 
 impl fmt::Display for CurveNote {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self {
-            Self::CoordinatesDropped { points: 1 } => {
-                f.write_str("1 point has more than two coordinates: the others are left out")
-            }
-            Self::CoordinatesDropped { points } => {
-                write!(f, "{points} points have more than two coordinates: the others are left out")
-            }
-            Self::RepeatedPoints { points: 1 } => {
-                f.write_str("1 point of a polyline is the same as the one before it: left out")
-            }
-            Self::RepeatedPoints { points } => {
-                write!(f, "{points} points of polylines are the same as the ones before them: left out")
-            }
-            Self::Collapsed { polylines: 1 } => {
-                f.write_str("1 polyline has only one point, several times: it is read as a point")
-            }
-            Self::Collapsed { polylines } => {
-                write!(f, "{polylines} polylines have only one point, several times: they are read as points")
-            }
-            Self::EmptyGeometries { geometries: 1 } => f.write_str("1 geometry is empty: it has no curve"),
-            Self::EmptyGeometries { geometries } => {
-                write!(f, "{geometries} geometries are empty: they have no curve")
-            }
-            Self::NoCurves => f.write_str("the file has no curve"),
-            Self::NoPoints => f.write_str("the file has no point"),
+        let (count, feature, [one, many]) = match *self {
+            Self::CoordinatesDropped { points, feature } => (
+                points,
+                feature,
+                [
+                    "point has more than two coordinates: the others are left out",
+                    "points have more than two coordinates: the others are left out",
+                ],
+            ),
+            Self::RepeatedPoints { points, feature } => (
+                points,
+                feature,
+                [
+                    "point of a polyline is the same as the one before it: left out",
+                    "points of polylines are the same as the ones before them: left out",
+                ],
+            ),
+            Self::Collapsed { polylines, feature } => (
+                polylines,
+                feature,
+                [
+                    "polyline has only one point, several times: it is read as a point",
+                    "polylines have only one point, several times: they are read as points",
+                ],
+            ),
+            Self::EmptyGeometries { geometries, feature } => (
+                geometries,
+                feature,
+                ["geometry is empty: it has no curve", "geometries are empty: they have no curve"],
+            ),
+            Self::EmptyPoints { geometries, feature } => (
+                geometries,
+                feature,
+                [
+                    "geometry is empty: it has no point, and gets no answer",
+                    "geometries are empty: they have no point, and get no answer",
+                ],
+            ),
+            Self::NoCurves => return f.write_str("the file has no curve"),
+            Self::NoPoints => return f.write_str("the file has no point"),
+        };
+        write!(f, "{count} {}", if count == 1 { one } else { many })?;
+        match feature {
+            Some(feature) if count == 1 => write!(f, " (in feature {feature}, counted from 0)"),
+            Some(feature) => write!(f, " (the first in feature {feature}, counted from 0)"),
+            None => Ok(()),
         }
     }
 }

@@ -132,9 +132,13 @@ pub(super) fn record<'a>(
         let period = [period(lexer)?, period(lexer)?];
         maker.surface.period = Some(period);
     } else if is("arc") || is("circle") && !wkt::follows(lexer) {
+        let (file, instead) = match maker.is_of_points() {
+            true => ("points of the plane", "give points as `x y` or `point x y`, or in WKT or GeoJSON"),
+            false => ("the plane", "it is a curve of the sphere: arrange it with `--surface sphere`"),
+        };
         return Err(word.fault(|word| Fault::Unsupported {
-            what: format!("`{word}` in a file of the plane"),
-            instead: "it is a curve of the sphere: arrange it with `--surface sphere`".into(),
+            what: format!("`{word}` in a file of {file}"),
+            instead: instead.into(),
         }));
     } else if word.bytes == b"{" {
         geojson::read(word, lexer, maker)?;
@@ -148,8 +152,8 @@ pub(super) fn record<'a>(
 
 #[inline]
 fn point(lexer: &mut Lexer<'_>, maker: &mut Maker<'_, Plane>, expected: &str) -> Result<CurvePoint, Located> {
-    let x = lexer.expect_in_line(expected)?;
-    let y = lexer.expect_in_line(expected)?;
+    let x = lexer.coordinate_in_line(expected)?;
+    let y = lexer.coordinate_in_line(expected)?;
     maker.point_of(x, y)
 }
 
@@ -169,8 +173,8 @@ fn polyline(lexer: &mut Lexer<'_>, maker: &mut Maker<'_, Plane>) -> Result<(), L
         let point = point(lexer, maker, TWO)?;
         maker.extend_chain(point, lexer.line())?;
     }
-    while let Some(x) = lexer.token_in_line() {
-        let y = lexer.expect_in_line("the second coordinate of the last point")?;
+    while let Some(x) = lexer.next_coordinate_in_line()? {
+        let y = lexer.coordinate_in_line("the second coordinate of the last point")?;
         let point = maker.point_of(x, y)?;
         maker.extend_chain(point, x.line)?;
     }
@@ -178,7 +182,7 @@ fn polyline(lexer: &mut Lexer<'_>, maker: &mut Maker<'_, Plane>) -> Result<(), L
 }
 
 fn period(lexer: &mut Lexer<'_>) -> Result<Rational, Located> {
-    let token = lexer.expect_in_line("a pair of periods (`period P Q`)")?;
+    let token = lexer.coordinate_in_line("a pair of periods (`period P Q`)")?;
     let period = number(token)?.into_rational();
     if period.sign() == Sign::Positive { Ok(period) } else { Err(token.unexpected("a period larger than 0")) }
 }

@@ -10,7 +10,7 @@ use crate::base::error::{Fault, Located, ReadError};
 use crate::base::places::Place;
 use crate::base::scan::Token;
 use crate::format::{Content, Encoding, Format};
-use crate::gzip;
+use crate::{gzip, star};
 
 /// Reads a file of curves: one a line, in our own words, as a geometry of WKT or as an object of GeoJSON.
 ///
@@ -121,14 +121,15 @@ pub fn read_sphere_points(bytes: &[u8], file_name: Option<&str>) -> Result<Spher
     read_packed(bytes, file_name, read_unpacked_sphere_points).map_err(of_no_format)
 }
 
-fn of_no_format(Located { place, fault }: Located) -> ReadError {
+pub(crate) fn of_no_format(Located { place, fault }: Located) -> ReadError {
     ReadError { format: None, part: None, place, fault }
 }
 
 /// Reads a text that is not packed.
-type Unpacked<F> = fn(&[u8], Option<&str>, &mut Budget) -> Result<F, Located>;
+pub(crate) type Unpacked<F> = fn(&[u8], Option<&str>, &mut Budget) -> Result<F, Located>;
 
-fn read_packed<F>(bytes: &[u8], file_name: Option<&str>, read: Unpacked<F>) -> Result<F, Located> {
+/// Reads a text, which may be packed with gzip.
+pub(crate) fn read_packed<F>(bytes: &[u8], file_name: Option<&str>, read: Unpacked<F>) -> Result<F, Located> {
     let mut budget = Budget::of_file(bytes.len());
     if !is_gzip(bytes) {
         return read(bytes, file_name, &mut budget);
@@ -144,7 +145,7 @@ fn is_gzip(bytes: &[u8]) -> bool {
     Format::of_content(bytes, bytes.len()) == Content::Gzip
 }
 
-fn unsupported(what: &str, instead: &str) -> Fault {
+pub(crate) fn unsupported(what: &str, instead: &str) -> Fault {
     Fault::Unsupported { what: what.into(), instead: instead.into() }
 }
 
@@ -161,20 +162,17 @@ fn read_unpacked_points(
     file_name: Option<&str>,
     budget: &mut Budget,
 ) -> Result<PointFile, Located> {
-    let mut maker = Maker::new(Plane::default(), budget);
-    let mut points = Vec::new();
+    let mut maker = Maker::of_points(Plane::default(), budget);
     read_records(bytes, file_name, &POINTS, |word, lexer, first| {
         if !begins_number(word) {
-            let known = plane::record(word, lexer, &mut maker, first)?;
-            maker.take_points(&mut points)?;
-            return Ok(known);
+            return plane::record(word, lexer, &mut maker, first);
         }
-        let y = lexer.expect_in_line("a point of two coordinates (`x y`)")?;
+        let y = lexer.coordinate_in_line("a point of two coordinates (`x y`)")?;
         let point = maker.point_of(word, y)?;
-        maker.bare_point(point, word.line, &mut points)?;
+        maker.bare_point(point, word.line)?;
         Ok(Known::Yes)
     })?;
-    let Collected { surface, items, places, notes } = maker.finish_points(points);
+    let Collected { surface, items, places, notes } = maker.finish_points();
     Ok(PointFile { points: items, places, period: surface.period, notes })
 }
 
@@ -194,19 +192,16 @@ fn read_unpacked_sphere_points(
     file_name: Option<&str>,
     budget: &mut Budget,
 ) -> Result<SpherePointFile, Located> {
-    let mut maker = Maker::new(Sphere, budget);
-    let mut points = Vec::new();
+    let mut maker = Maker::of_points(Sphere, budget);
     read_records(bytes, file_name, &SPHERE_POINTS, |word, lexer, _| {
         if !begins_number(word) {
-            let known = sphere::record(word, lexer, &mut maker)?;
-            maker.take_points(&mut points)?;
-            return Ok(known);
+            return sphere::record(word, lexer, &mut maker);
         }
         let point = sphere::bare_point(word, lexer, &mut maker)?;
-        maker.bare_point(point, word.line, &mut points)?;
+        maker.bare_point(point, word.line)?;
         Ok(Known::Yes)
     })?;
-    let Collected { items, places, notes, .. } = maker.finish_points(points);
+    let Collected { items, places, notes, .. } = maker.finish_points();
     Ok(SpherePointFile { points: items, places, notes })
 }
 
@@ -221,18 +216,22 @@ struct Wanted {
     how: &'static str,
     /// What may begin a record.
     records: &'static str,
+    /// What to do with an arrangement.
+    for_star: &'static str,
 }
 
 const CURVES: Wanted = Wanted {
     file: "curves",
     how: "give curves as text, WKT or GeoJSON",
     records: "`segment`, `ray`, `line`, `polyline`, `point`, a geometry of WKT or a GeoJSON object",
+    for_star: "give the curves of which it was made; `splitstar locate` asks it about points",
 };
 
 const POINTS: Wanted = Wanted {
     file: "points",
     how: "give points as text, WKT or GeoJSON",
     records: "a point as `x y` or `point x y`, a POINT of WKT or a GeoJSON object",
+    for_star: "give the arrangement first, and behind it the points that are asked about",
 };
 
 const SPHERE_CURVES: Wanted = Wanted {
@@ -282,6 +281,11 @@ fn unknown(word: Token<'_>, file: Option<&[u8]>, file_name: Option<&str>, wanted
         Content::Gzip | Content::Xml | Content::Json | Content::Unknown => by_name.filter(|_| file.is_some()),
     };
     let place = Place::Line(word.line);
+    if format == Some(Format::Star) && file.is_some_and(star::is_arrangement) {
+        let why =
+            format!("this is an arrangement (star), not a file of {}; {}", wanted.file, wanted.for_star);
+        return Fault::Malformed { why }.at(place);
+    }
     if let Some(format) = format {
         let why = format!("this is a model ({format}), not a file of {}; {}", wanted.file, wanted.how);
         return Fault::Malformed { why }.at(place);

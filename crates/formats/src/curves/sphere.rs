@@ -96,16 +96,13 @@ impl Surface for Sphere {
         "give `arc`, `circle`, `polyline` or `point`, or a POINT, LINESTRING or POLYGON of WKT";
 
     fn position(
-        maker: &mut Maker<'_, Self>,
+        _: &mut Maker<'_, Self>,
         longitude: Token<'_>,
         latitude: Token<'_>,
     ) -> Result<Direction, Located> {
         let [east, north] = [number(longitude)?, number(latitude)?].map(Number::into_rational);
-        from_degrees(&east, &north).ok_or_else(|| {
-            let what =
-                format!("a latitude from -90 to 90 degrees behind the longitude{}", maker.in_feature());
-            latitude.unexpected(&what)
-        })
+        from_degrees(&east, &north)
+            .ok_or_else(|| latitude.unexpected("a latitude from -90 to 90 degrees behind the longitude"))
     }
 
     fn check_step(from: &Direction, to: &Direction) -> Result<(), &'static str> {
@@ -150,10 +147,16 @@ pub(super) fn record<'a>(
         let point = direction(lexer, maker, "a point of three coordinates (`point x y z`)")?;
         maker.point(point, word.line)?;
     } else if ["segment", "ray", "line", "period"].into_iter().any(is) {
+        let (file, instead) = match maker.is_of_points() {
+            true => ("points of the sphere", "give points as `x y z` or `point x y z`, or in WKT or GeoJSON"),
+            false => (
+                "the sphere",
+                "give `arc`, `circle`, `polyline` or `point`, or arrange it without `--surface sphere`",
+            ),
+        };
         return Err(word.fault(|word| Fault::Unsupported {
-            what: format!("`{word}` in a file of the sphere"),
-            instead: "give `arc`, `circle`, `polyline` or `point`, or arrange it without `--surface sphere`"
-                .into(),
+            what: format!("`{word}` in a file of {file}"),
+            instead: instead.into(),
         }));
     } else if word.bytes == b"{" {
         geojson::read(word, lexer, maker)?;
@@ -200,7 +203,7 @@ fn polyline(lexer: &mut Lexer<'_>, maker: &mut Maker<'_, Sphere>) -> Result<(), 
         let point = direction(lexer, maker, TWO)?;
         maker.extend_chain(point, lexer.line())?;
     }
-    while let Some(x) = lexer.token_in_line() {
+    while let Some(x) = lexer.next_coordinate_in_line()? {
         let point = direction_from(x, lexer, maker, "all three coordinates of the last point")?;
         maker.extend_chain(point, x.line)?;
     }
@@ -212,7 +215,7 @@ fn direction(
     maker: &mut Maker<'_, Sphere>,
     expected: &str,
 ) -> Result<Direction, Located> {
-    let x = lexer.expect_in_line(expected)?;
+    let x = lexer.coordinate_in_line(expected)?;
     direction_from(x, lexer, maker, expected)
 }
 
@@ -233,7 +236,7 @@ fn vector(
     maker: &mut Maker<'_, Sphere>,
     expected: &str,
 ) -> Result<[Integer; 3], Located> {
-    let x = lexer.expect_in_line(expected)?;
+    let x = lexer.coordinate_in_line(expected)?;
     vector_from(x, lexer, maker, expected)
 }
 
@@ -244,7 +247,7 @@ fn vector_from(
     maker: &mut Maker<'_, Sphere>,
     expected: &str,
 ) -> Result<[Integer; 3], Located> {
-    let (y, z) = (lexer.expect_in_line(expected)?, lexer.expect_in_line(expected)?);
+    let (y, z) = (lexer.coordinate_in_line(expected)?, lexer.coordinate_in_line(expected)?);
     let vector = match [number(x)?, number(y)?, number(z)?] {
         [Number::Small(x, 1), Number::Small(y, 1), Number::Small(z, 1)]
             if [x, y, z].into_iter().all(fits) =>

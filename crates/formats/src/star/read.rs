@@ -14,10 +14,12 @@ use crate::complex::{Complex, Edge, Facet, Position, Rule, Vertex};
 use crate::format::Format;
 use exact::{Point3, Vector3};
 
-/// Reads a file of version 1. A mesh is given if it says all that the file says.
+/// Reads a file of version 1. A mesh is given if it says all that the file says; of a Gaussian map, its polytope.
 pub(crate) fn read(bytes: &[u8], budget: &mut Budget) -> Result<ReadModel, Located> {
     let mut lines = Lines::new(bytes);
-    read_first_line(&mut lines, StarKind::Complex)?;
+    if read_first_line(&mut lines, &[StarKind::Complex, StarKind::Gaussian])? == StarKind::Gaussian {
+        return super::gaussian::read_polytope(bytes, budget);
+    }
     let mut reader = Reader::new(budget);
     loop {
         let Some((word, mut line)) = lines.next_record() else {

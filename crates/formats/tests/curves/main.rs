@@ -4,6 +4,7 @@
 #![allow(clippy::print_stdout, clippy::unwrap_used)]
 
 mod bad;
+mod features;
 mod page;
 mod points;
 mod random;

@@ -1,6 +1,6 @@
 //! Files of points to be asked about.
 
-use crate::{DROPPED_1, EMPTY_1};
+use crate::DROPPED_1;
 use splitstar_formats::{Place, PlaceList, pack_gzip, read_points};
 
 /// A text, its points, their lines and the notes.
@@ -19,7 +19,12 @@ const ROWS: &[Row] = &[
     ),
     ("period 4 3\n9 9\n", &["(9, 9)"], &[2], &[]),
     ("", &[], &[], &["the file has no point"]),
-    ("POINT EMPTY\n", &[], &[], &[EMPTY_1, "the file has no point"]),
+    (
+        "POINT EMPTY\n",
+        &[],
+        &[],
+        &["1 geometry is empty: it has no point, and gets no answer", "the file has no point"],
+    ),
 ];
 
 #[test]
@@ -68,7 +73,19 @@ fn what_is_no_point_is_refused() {
         ("x 1\n", 1, "`x` where a point as `x y` or `point x y`, a POINT of WKT or a GeoJSON object"),
         ("0 0\nperiod 1 1\n", 2, "`period` behind another record"),
         ("OFF\n", 1, "this is a model (OFF), not a file of points; give points as text, WKT or GeoJSON"),
-        ("star 1 arrangement\n", 1, "this is a model (star), not a file of points"),
+        (
+            "star 1 arrangement\n",
+            1,
+            "this is an arrangement (star), not a file of points; give the arrangement first, and behind it the points that are asked about",
+        ),
+        ("star 1 complex\n", 1, "this is a model (star), not a file of points"),
+        ("0,0\n", 1, "`,` between coordinates; write a blank instead"),
+        ("point 0 0\n1;2\n", 2, "`;` between coordinates; write a blank instead"),
+        (
+            "arc 1 0 0 0 1 0\n",
+            1,
+            "`arc` in a file of points of the plane cannot be read; give points as `x y` or `point x y`, or in WKT or GeoJSON",
+        ),
     ];
     for (text, line, why) in rows {
         let error = read_points(text.as_bytes(), None).expect_err(text);

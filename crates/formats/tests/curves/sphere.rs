@@ -1,6 +1,6 @@
 //! Curves and points on the sphere: what is read, what is refused, and that curves come back.
 
-use crate::{COLLAPSED, DROPPED_1, EMPTY_1, NO_CURVES, REPEATED_1};
+use crate::{COLLAPSED, DROPPED_1, NO_CURVES, REPEATED_1};
 use exact::spherical::geographic::{exact_length, from_degrees};
 use exact::spherical::{Direction, GreatCircle};
 use exact::{Integer, Rational, Vector3};
@@ -64,7 +64,7 @@ const ROWS: &[Row] = &[
             {"type":"MultiPolygon","coordinates":[[[[0,0],[90,0],[0,90],[0,0]]]]}]}},
             {"type":"Feature","properties":null,"geometry":null}]}"#,
         "point 1 0 0\npoint 0 -1 0\npolyline 1 0 0 0 1 0 0 0 1 1 0 0",
-        &[EMPTY_1],
+        &["1 geometry is empty: it has no curve (in feature 1, counted from 0)"],
     ),
 ];
 
@@ -151,6 +151,8 @@ const BAD: &[Bad] = &[
         1,
         "the line ends where a point of three coordinates (`point x y z`) was expected; complete it",
     ),
+    ("point 0,0,1", 1, "`,` between coordinates; write a blank instead"),
+    ("polyline 1 0 0, 0 1 0", 1, "`,` between coordinates; write a blank instead"),
     ("point 0 nan 1", 1, "`nan` is not finite; write a finite number"),
     (
         "arc 1 2 3  2 4 6",
@@ -249,8 +251,8 @@ const BAD: &[Bad] = &[
          \"coordinates\":[1,2]}},{\"type\":\"Feature\",\"geometry\":{\"type\":\"MultiPoint\",\
          \"coordinates\":[[1,2],[2,91]]}}]}",
         1,
-        "`91` where a latitude from -90 to 90 degrees behind the longitude (in feature 1, counted from 0) was \
-         expected; correct it",
+        "`91` where a latitude from -90 to 90 degrees behind the longitude was expected; correct it (in feature 1, \
+         counted from 0)",
     ),
     (
         "{\"type\":\"LineString\",\"coordinates\":[[10,20],\n[-170,-20]]}",
@@ -302,7 +304,17 @@ fn what_is_no_point_is_refused() {
         ("1 2\n", 1, "the line ends where a point of three coordinates (`x y z`) was expected"),
         ("1 2 3 4\n", 1, "`4` where the end of the line was expected"),
         ("0 0 0\n", 1, "the vector is zero"),
-        ("segment 0 0 1 1\n", 1, "`segment` in a file of the sphere cannot be read"),
+        (
+            "segment 0 0 1 1\n",
+            1,
+            "`segment` in a file of points of the sphere cannot be read; give points as `x y z` or `point x y z`, or in WKT or GeoJSON",
+        ),
+        (
+            "0 0 1\nperiod 4 3\n",
+            2,
+            "`period` in a file of points of the sphere cannot be read; give points as `x y z`",
+        ),
+        ("0,0,1\n", 1, "`,` between coordinates; write a blank instead"),
         ("POINT (0 100)\n", 1, "`100` where a latitude from -90 to 90 degrees"),
         ("x 1\n", 1, "`x` where a point as `x y z` or `point x y z`, a POINT of WKT or a GeoJSON object"),
         ("OFF\n", 1, "this is a model (OFF), not a file of points; give points as text, WKT or GeoJSON"),

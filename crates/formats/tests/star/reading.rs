@@ -184,11 +184,11 @@ const BAD: &[[&str; 2]] = &[
     ],
     [
         "object \"a\\t\"",
-        "line 2: `\\\"a\\\\t\\\"` where a name with the escapes `\\\"`, `\\\\`, `\\n`, `\\u{..}` only was expected; correct it",
+        "line 2: `\"a\\t\"` where a name with the escapes `\\\"`, `\\\\`, `\\n`, `\\u{..}` only was expected; correct it",
     ],
     [
         "object \"\\u{D800}\"",
-        "line 2: `\\\"\\\\u{D800}\\\"` where a name with the escapes `\\\"`, `\\\\`, `\\n`, `\\u{..}` only was expected; correct it",
+        "line 2: `\"\\u{D800}\"` where a name with the escapes `\\\"`, `\\\\`, `\\n`, `\\u{..}` only was expected; correct it",
     ],
     ["object \"a\" b", "line 2: `b` where the end of the line was expected; correct it"],
     [
@@ -325,13 +325,13 @@ fn other_versions_and_kinds_are_refused() {
         ),
         (
             b"star 1 map",
-            "line 1: star kind `map` cannot be read; this program knows the kinds `complex` and `arrangement` only: update it, or correct the kind",
+            "line 1: star kind `map` cannot be read; this program knows the kinds `complex`, `arrangement` and `gaussian` only: update it, or correct the kind",
         ),
         (b"end", "line 1: `end` where the first line `star 1 complex` was expected; correct it"),
         (b" # only\n", "the file is empty; a model was expected"),
         (
             b"star 1 complex\nobject \"\xFF\"",
-            "line 2: `\\\"\\xff\\\"` where a name in UTF-8 was expected; correct it",
+            "line 2: `\"\\xff\"` where a name in UTF-8 was expected; correct it",
         ),
     ];
     for (text, message) in rows {

@@ -46,7 +46,7 @@ const CHANGES: &[(&str, &str, &str)] = &[
     (
         "arrangement\n",
         "map\n",
-        "line 1: star kind `map` cannot be read; this program knows the kinds `complex` and `arrangement` only: update it, or correct the kind",
+        "line 1: star kind `map` cannot be read; this program knows the kinds `complex`, `arrangement` and `gaussian` only: update it, or correct the kind",
     ),
     (
         "star 1",
@@ -68,7 +68,7 @@ const CHANGES: &[(&str, &str, &str)] = &[
         "surface bottle",
         "line 2: `bottle` where `plane`, `torus` or `sphere` was expected; correct it",
     ),
-    ("surface plane", "surface torus 1 0", "line 2: the period along v is not positive"),
+    ("surface plane", "surface torus 1 0", "line 2: the period along v is not positive; give one that is"),
     ("curve 0 segment", "surface plane\ncurve 0 segment", "line 3: a second surface; remove one"),
     (
         "surface plane",
@@ -192,26 +192,42 @@ const CHANGES: &[(&str, &str, &str)] = &[
         "line 18: `cell` where `curve`, `vertex`, `edge`, `face`, `outer`, `inner`, `isolated`, `end` or a comment was expected; correct it",
     ),
     // What contradicts the curves.
-    ("vertex 0 0 1", "vertex 0 0 2", "line 11: vertex 0 is not on curve 0"),
-    ("vertex 0 0 1", "vertex 0 -1 1", "line 11: vertex 0 is not on curve 0"),
+    (
+        "vertex 0 0 1",
+        "vertex 0 0 2",
+        "line 11: vertex 0 is not on curve 0; move it there, or name another vertex or curve",
+    ),
+    (
+        "vertex 0 0 1",
+        "vertex 0 -1 1",
+        "line 11: vertex 0 is not on curve 0; move it there, or name another vertex or curve",
+    ),
     (
         "edge 0 0 2 curve 0",
         "edge 0 infinity 2 curve 0",
         "line 5: vertex 0 has no edge; add `isolated` to the face in which it lies",
     ),
-    ("2 4 curve 0", "2 4 curve 1", "line 13: vertex 4 is not on curve 1"),
+    (
+        "2 4 curve 0",
+        "2 4 curve 1",
+        "line 13: vertex 4 is not on curve 1; move it there, or name another vertex or curve",
+    ),
     ("vertex 5 5 5", "vertex 5 1/2 1", "line 11: vertex 5 lies within the edge; cut the edge there"),
-    ("vertex 5 5 5", "vertex 5 2 1", "line 10: vertex 4 and vertex 5 are one point"),
+    (
+        "vertex 5 5 5",
+        "vertex 5 2 1",
+        "line 10: vertex 4 and vertex 5 are one point; remove one of them, and name the other one instead",
+    ),
     ("inner -0", "outer -0", "line 16: the boundary is no outer one; write `inner`"),
     (
         "+0 +3 -3 +2 -2 -1 +1",
         "+0 +2 -2 +3 -3 -1 +1",
-        "line 7: the boundaries around vertex 2 contradict the order of its edges",
+        "line 7: the boundaries around vertex 2 contradict the order of its edges; let each go on there with the next edge clockwise",
     ),
     (
         "-0 +0 +3 -3 +2 -2 -1 +1",
         "-0 +0\ninner +3 -3 +2 -2 -1 +1",
-        "line 7: the boundaries do not run round vertex 2 in one turn",
+        "line 7: the boundaries do not run round vertex 2 in one turn; let each go on there with the next edge clockwise",
     ),
     ("isolated 5", "face 1\nisolated 5", "line 17: the face has no boundary; add `outer` or `inner`"),
 ];
@@ -238,8 +254,14 @@ fn every_change_is_refused_with_its_message() {
 
 /// Whole files: what is wrong with them is in several lines.
 const FILES: &[(&str, &str)] = &[
-    ("", "the file is empty; a model was expected"),
-    ("# nothing\n", "the file is empty; a model was expected"),
+    (
+        "",
+        "the file is empty; an arrangement was expected, as `splitstar arrange CURVES -o OUT.star` writes it",
+    ),
+    (
+        "# nothing\n",
+        "the file is empty; an arrangement was expected, as `splitstar arrange CURVES -o OUT.star` writes it",
+    ),
     ("star 1 arrangement\n", "line 1: the file ends where `surface` was expected; complete it"),
     (
         "star 1 arrangement\nsurface plane\nend\n",
@@ -270,12 +292,12 @@ const FILES: &[(&str, &str)] = &[
         "star 1 arrangement\nsurface plane\ncurve 0 line 0 0 1 0\ncurve 1 line 0 0 0 1\n\
          edge 0 infinity infinity curve 0\nedge 1 infinity infinity curve 1\n\
          face 0\nouter -0 -1\nface 1\nouter +0 +1\nend\n",
-        "line 11: the boundaries do not run round infinity in one turn",
+        "line 11: the boundaries do not run round infinity in one turn; let each go on there with the next edge clockwise",
     ),
     (
         "star 1 arrangement\nsurface plane\ncurve 0 segment 0 0 2 0\nvertex 0 0 0\nvertex 1 2 0\n\
          edge 0 0 1 curve 0\nedge 1 0 1 curve 0\nface 0\ninner -0 +1\nface 1\nouter +0 -1\nend\n",
-        "line 7: the edge and edge 0 have a piece in common",
+        "line 7: the edge and edge 0 have a piece in common; write that once, as an edge of its own",
     ),
     (
         "star 1 arrangement\nsurface plane\ncurve 0 line 0 0 1 0\nedge 0 infinity infinity curve 0\n\
@@ -286,13 +308,13 @@ const FILES: &[(&str, &str)] = &[
         "star 1 arrangement\nsurface plane\ncurve 0 segment 0 0 2 2\ncurve 1 segment 0 2 2 0\n\
          vertex 0 0 0\nvertex 1 2 2\nvertex 2 0 2\nvertex 3 2 0\nedge 5 0 1 curve 0\nedge 7 2 3 curve 1\n\
          face 0\ninner -5 +5\ninner -7 +7\nend\n",
-        "line 10: the edge meets edge 5 where no vertex is",
+        "line 10: the edge meets edge 5 where no vertex is; add one there, and cut both edges",
     ),
     // A curve that is bounded does not go to infinity.
     (
         "star 1 arrangement\nsurface plane\ncurve 0 segment 0 0 1 0\nvertex 0 0 0\nedge 0 0 infinity curve 0\n\
          face 0\nouter +0 -0\nend\n",
-        "line 5: curve 0 does not go to infinity at this end of the edge",
+        "line 5: curve 0 does not go to infinity at this end of the edge; name the vertex that is there",
     ),
     // Ends in the wrong order.
     (
@@ -305,7 +327,7 @@ const FILES: &[(&str, &str)] = &[
         "star 1 arrangement\nsurface plane\ncurve 0 line 0 0 1 0\ncurve 1 segment 0 1 1 1\nvertex 0 0 1\nvertex 1 1 1\n\
          edge 0 infinity infinity curve 0\nedge 1 0 1 curve 1\n\
          face 0\nouter -0\ninner +1 -1\nface 1\nouter +0\nend\n",
-        "line 5: at vertex 0, the boundaries say face 0 where the curves say face 1",
+        "line 5: at vertex 0, the boundaries say face 0 where the curves say face 1; write what is there behind `face 1`",
     ),
     // A boundary of its own: the faces fall apart.
     (

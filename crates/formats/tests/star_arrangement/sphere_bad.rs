@@ -169,7 +169,11 @@ const CHANGES: &[(&str, &str, &str)] = &[
         "vertex 0 0 0 2",
         "line 6: vertex 0 is the north pole already; remove one of the two",
     ),
-    ("vertex 0 -1 0 0", "vertex 0 1 0 0", "line 9: vertex 0 and vertex 4 are one point"),
+    (
+        "vertex 0 -1 0 0",
+        "vertex 0 1 0 0",
+        "line 9: vertex 0 and vertex 4 are one point; remove one of them, and name the other one instead",
+    ),
     ("vertex 0 -1 0 0", "vertex 0 2 1 0", "line 14: vertex 0 lies within the edge; cut the edge there"),
     (
         "vertex 1 0 0 1",
@@ -181,10 +185,26 @@ const CHANGES: &[(&str, &str, &str)] = &[
         "vertex 4 1 0 0 artificial",
         "line 9: vertex 4 joins 4 edges and not 2; remove `artificial`",
     ),
-    ("vertex 2 1 -1 0", "vertex 2 1 -1 1", "line 12: vertex 2 is not on curve 0"),
-    ("vertex 2 1 -1 0", "vertex 2 -1 1 0", "line 12: vertex 2 is not on curve 0"),
-    ("vertex 2 1 -1 0", "vertex 2 0 -1 0", "line 12: vertex 2 is not on curve 0"),
-    ("vertex 3 1 0 -1", "vertex 3 0 0 -1", "line 13: vertex 3 is not on curve 1"),
+    (
+        "vertex 2 1 -1 0",
+        "vertex 2 1 -1 1",
+        "line 12: vertex 2 is not on curve 0; move it there, or name another vertex or curve",
+    ),
+    (
+        "vertex 2 1 -1 0",
+        "vertex 2 -1 1 0",
+        "line 12: vertex 2 is not on curve 0; move it there, or name another vertex or curve",
+    ),
+    (
+        "vertex 2 1 -1 0",
+        "vertex 2 0 -1 0",
+        "line 12: vertex 2 is not on curve 0; move it there, or name another vertex or curve",
+    ),
+    (
+        "vertex 3 1 0 -1",
+        "vertex 3 0 0 -1",
+        "line 13: vertex 3 is not on curve 1; move it there, or name another vertex or curve",
+    ),
     (
         "edge 0 2 4",
         "edge 0 4 2",
@@ -201,7 +221,7 @@ const CHANGES: &[(&str, &str, &str)] = &[
     (
         "+0 +3 -3 +2 -2 -1 +1",
         "+0 +2 -2 +3 -3 -1 +1",
-        "line 9: the boundaries around vertex 4 contradict the order of its edges",
+        "line 9: the boundaries around vertex 4 contradict the order of its edges; let each go on there with the next edge clockwise",
     ),
     ("isolated 1\n", "face 1\nisolated 1\n", "line 19: the face has no boundary; add `outer` or `inner`"),
 ];
@@ -223,7 +243,7 @@ const FILES: &[(&str, &str)] = &[
     (
         "star 1 arrangement\nsurface sphere -1 0\ncurve 0 circle 0 0 1\nvertex 0 -1 0 0 artificial\n\
          edge 0 0 0 curve 0\nface 0\nouter -0\nouter +0\nend\n",
-        "line 9: faces and boundaries do not make up the surface",
+        "line 9: faces and boundaries do not make up the surface; put together what bounds one face, and take apart what bounds several",
     ),
     (
         "star 1 arrangement\nsurface sphere -1 0\ncurve 0 circle 0 0 1\nvertex 0 -1 0 0 artificial\n\
@@ -240,7 +260,7 @@ const FILES: &[(&str, &str)] = &[
     (
         "star 1 arrangement\nsurface sphere -1 0\ncurve 0 circle 0 0 1\nvertex 0 -1 0 0 artificial\nvertex 1 0 0 1\n\
          edge 0 0 0 curve 0\nface 0\nouter -0\nisolated 1\nface 1\nouter +0\nend\n",
-        "line 5: at vertex 1, the boundaries say face 0 where the curves say face 1",
+        "line 5: at vertex 1, the boundaries say face 0 where the curves say face 1; write what is there behind `face 1`",
     ),
     (
         "star 1 arrangement\nsurface sphere -1 0\ncurve 0 circle 0 0 1\nvertex 0 -1 0 0 artificial\nvertex 1 0 0 -1\n\
@@ -252,39 +272,39 @@ const FILES: &[(&str, &str)] = &[
         "star 1 arrangement\nsurface sphere -1 0\ncurve 0 circle 0 1 1\ncurve 1 circle 0 -1 2\n\
          vertex 0 -1 0 0\nedge 0 0 0 curve 0\nedge 1 0 0 curve 1\n\
          face 0\nouter -0 -1\nface 1\nouter +0 +1\nend\n",
-        "line 5: the boundaries do not run round vertex 0 in one turn",
+        "line 5: the boundaries do not run round vertex 0 in one turn; let each go on there with the next edge clockwise",
     ),
     // Half circles from pole to pole: one of them twice.
     (
         "star 1 arrangement\nsurface sphere -1 0\ncurve 0 arc 0 0 -1 0 0 1 around 0 1 0\n\
          vertex 0 0 0 -1\nvertex 1 0 0 1\nedge 0 0 1 curve 0\nedge 1 0 1 curve 0\n\
          face 0\nouter +0 -1\nface 1\nouter +1 -0\nend\n",
-        "line 7: the edge and edge 0 have a piece in common",
+        "line 7: the edge and edge 0 have a piece in common; write that once, as an edge of its own",
     ),
     // Arcs that cross.
     (
         "star 1 arrangement\nsurface sphere -1 0\ncurve 0 arc 1 -1 -1 1 1 1\ncurve 1 arc 1 -1 1 1 1 -1\n\
          vertex 0 1 -1 -1\nvertex 1 1 -1 1\nvertex 2 1 1 -1\nvertex 3 1 1 1\nedge 3 0 3 curve 0\nedge 8 1 2 curve 1\n\
          face 0\ninner -3 +3\ninner -8 +8\nend\n",
-        "line 10: the edge meets edge 3 where no vertex is",
+        "line 10: the edge meets edge 3 where no vertex is; add one there, and cut both edges",
     ),
     // An edge from the wrong pole: any vertex that stands for a side was taken for the one at the end of a curve.
     (
         "star 1 arrangement\nsurface sphere -1 0\ncurve 0 arc 0 0 -1 1 0 0\nvertex 0 0 0 1\nvertex 1 1 0 0\n\
          edge 0 0 1 curve 0\nface 0\nouter -0 +0\nend\n",
-        "line 6: vertex 0 is not on curve 0",
+        "line 6: vertex 0 is not on curve 0; move it there, or name another vertex or curve",
     ),
     // An edge over the end of its curve, up to a pole.
     (
         "star 1 arrangement\nsurface sphere -1 0\ncurve 0 arc 1 0 0 1 0 2\nvertex 0 1 0 0\nvertex 1 0 0 1\n\
          edge 0 0 1 curve 0\nface 0\nouter -0 +0\nend\n",
-        "line 6: vertex 1 is not on curve 0",
+        "line 6: vertex 1 is not on curve 0; move it there, or name another vertex or curve",
     ),
     // Nothing says of a pole without a record in which face it is, but curves end there.
     (
         "star 1 arrangement\nsurface sphere -1 0\ncurve 0 arc 1 0 0 0 0 1\nvertex 0 1 0 0\nvertex 1 1 0 3\nvertex 2 0 0 -1\n\
          edge 0 0 1 curve 0\nedge 1 1 2 curve 0\nface 0\nouter -0 +0 +1 -1\nend\n",
-        "line 8: vertex 2 is not on curve 0",
+        "line 8: vertex 2 is not on curve 0; move it there, or name another vertex or curve",
     ),
     // Ends in the wrong order, and in a face where they are not.
     (
@@ -296,7 +316,7 @@ const FILES: &[(&str, &str)] = &[
         "star 1 arrangement\nsurface sphere -1 0\ncurve 0 circle 0 0 1\ncurve 1 arc 1 0 1 0 1 1\n\
          vertex 0 -1 0 0 artificial\nvertex 1 0 1 1\nvertex 2 1 0 1\nedge 0 0 0 curve 0\nedge 1 2 1 curve 1\n\
          face 0\nouter -0\ninner -1 +1\nface 1\nouter +0\nend\n",
-        "line 7: at vertex 2, the boundaries say face 0 where the curves say face 1",
+        "line 7: at vertex 2, the boundaries say face 0 where the curves say face 1; write what is there behind `face 1`",
     ),
 ];
 

@@ -175,7 +175,7 @@ const BAD: &[(&str, &str, &str)] = &[
     (
         "two exact coordinates",
         "Shape { geometry PointSet { coord ExactCoordinate { exact [\n\"0 0\" ] } } }",
-        "line 3: `\\\"0 0\\\"` where the three coordinates of a point in quotes was expected; correct it",
+        "line 3: `\"0 0\"` where the three coordinates of a point in quotes was expected; correct it",
     ),
     (
         "exact coordinates without quotes",

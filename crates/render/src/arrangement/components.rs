@@ -12,13 +12,17 @@ pub(super) struct Components {
 }
 
 impl Components {
-    pub(super) fn new<G: ApproxTraits, T: Topology<G>>(arrangement: &Arrangement<G, T>) -> Self {
+    /// With all vertices that are points, in some order.
+    pub(super) fn new<G: ApproxTraits, T: Topology<G>>(
+        arrangement: &Arrangement<G, T>,
+        vertices: &[VertexId],
+    ) -> Self {
         const NONE: u32 = u32::MAX;
         let dcel = arrangement.dcel();
         let mut of_vertex = vec![NONE; dcel.vertex_bound()];
         let mut count = 0;
         let mut stack = Vec::new();
-        for first in arrangement.vertices() {
+        for &first in vertices {
             if of_vertex[first.index()] != NONE || dcel.outgoing(first).is_none() {
                 continue;
             }

@@ -8,24 +8,24 @@ const MANY: usize = 2_000;
 
 /// The sizes of what is drawn.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Look {
+pub(crate) struct Look {
     /// Of the stroke of an edge.
     width: f64,
     /// Of the marker of a vertex.
-    pub(super) size: f64,
+    pub(crate) size: f64,
 }
 
 impl Look {
-    pub(super) fn new(vertex_count: usize) -> Self {
+    pub(crate) fn new(vertex_count: usize) -> Self {
         let (width, size) = if vertex_count > MANY { (0.5, 1.5) } else { (1.25, 5.0) };
         Self { width, size }
     }
 
-    pub(super) fn edge(self) -> Style {
+    pub(crate) fn edge(self) -> Style {
         Style::stroked("edge", Colour::INK, self.width)
     }
 
-    pub(super) fn vertex(self, is_isolated: bool) -> Style {
+    pub(crate) fn vertex(self, is_isolated: bool) -> Style {
         if is_isolated {
             Style::filled("vertex isolated", Colour::WHITE)
                 .with_stroke(Stroke::new(Colour::INK, self.size / 4.0))

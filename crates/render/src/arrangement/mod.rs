@@ -2,6 +2,8 @@
 //!
 //! | module | role |
 //! |---|---|
+//! | `cells` | the cells in the order in which they are numbered and drawn |
+//! | `colouring` | colours for faces such that those that share an edge differ |
 //! | `outline` | edges as chains of points, and the window that holds all that happens |
 //! | `fill` | what the CCBs of a face enclose: closed along the window where it runs through infinity |
 //! | `torus` | faces of a torus, unrolled into the plane |
@@ -14,6 +16,8 @@
 //! 3. A face is what its CCBs enclose, by the even-odd rule. Where a CCB runs through infinity, it goes on along the window,
 //!    counterclockwise, because the face is on its left. On a torus a CCB is unrolled into the plane, and repeated.
 
+mod cells;
+mod colouring;
 mod components;
 mod fill;
 mod look;
@@ -21,28 +25,29 @@ mod outline;
 mod sphere;
 mod torus;
 
+pub(crate) use look::Look;
 pub use sphere::GlobeOptions;
 
 use ::arrangement::Arrangement;
 use ::arrangement::topology::Topology;
-use ::arrangement::traits::ApproxTraits;
+use ::arrangement::traits::{ApproxTraits, UMonotoneTraits};
 
 use crate::colour::Colour;
 use crate::error::RenderError;
 use crate::frame::{Frame, Point};
 use crate::scene::{Item, Layer, Scene, Shape};
 use crate::style::{Dash, Stroke, Style};
+use cells::Cells;
 use components::Components;
-use look::Look;
 use outline::Outlines;
 
 impl Scene {
     /// The picture of an arrangement: layers `faces`, `edges`, `vertices`, and on a torus `frame` above the faces. Cells have
-    /// their ids as names: `f0`, `e0`, `v0`.
+    /// their places in [`Arrangement::cell_order`] as names: `f0`, `e0`, `v0`. So the picture depends on the cells, and not on their ids.
     ///
     /// In the plane, bounded faces have the colour of the component of their outer CCB; unbounded ones, and those without outer
-    /// CCB, a light grey. On a torus and on a sphere every face has a colour of its own. Edges are those that are stored; vertices are those of
-    /// [`Arrangement::user_view`], so that a closed curve shows the one that it keeps.
+    /// CCB, a light grey. On a torus and on a sphere, faces that share an edge have different colours, of eight. Edges are those that are
+    /// stored; vertices are those of [`Arrangement::user_view`], so that a closed curve shows the one that it keeps.
     ///
     /// `shown` is what the picture shows; `None` stands for all vertices and every edge, with a margin. On a torus it must be
     /// the rectangle whose sides are glued together, which is drawn, too; points on a seam, and edges along one, are drawn on
@@ -58,9 +63,9 @@ impl Scene {
     /// If a coordinate is too large for a double.
     ///
     /// # Complexity
-    /// Linear in the number of points of all edges, and on a torus of the copies that are seen; on a sphere, the edges of each face
-    /// that come to a side are sorted.
-    pub fn of_arrangement<G: ApproxTraits, T: Topology<G>>(
+    /// O(n log n) for n cells, and linear in the number of points of all edges, on a torus of the copies that are seen; on a sphere, the
+    /// edges of each face that come to a side are sorted.
+    pub fn of_arrangement<G: ApproxTraits + UMonotoneTraits, T: Topology<G>>(
         arrangement: &Arrangement<G, T>,
         shown: Option<Frame>,
     ) -> Result<Self, RenderError> {
@@ -69,40 +74,41 @@ impl Scene {
         }
         let is_torus = arrangement.topology().genus() > 0;
         let outlines = Outlines::new(arrangement, shown, is_torus)?;
-        let components = Components::new(arrangement);
-        let view = arrangement.user_view();
+        let cells = Cells::new(arrangement);
+        let components = Components::new(arrangement, cells.stored_vertices());
+        let colours = if is_torus { cells.colours(arrangement) } else { Vec::new() };
         let look = Look::new(arrangement.vertices().count());
         let dcel = arrangement.dcel();
 
         let mut faces = Layer::new("faces");
-        for f in dcel.faces() {
+        for (number, (f, name)) in cells.faces().enumerate() {
             let Some(rings) = fill::rings(arrangement, &outlines, f, is_torus) else { continue };
             let style = match dcel.outer_ccbs(f).next() {
-                _ if is_torus => Style::filled("face", Colour::pale(f.0)),
+                _ if is_torus => Style::filled("face", colours[number]),
                 Some(ccb) if !arrangement.is_unbounded(f) => {
                     let component = components.of(dcel.source(dcel.ccb_halfedge(ccb)));
                     Style::filled("face", Colour::pale(component))
                 }
                 _ => Style::filled("face unbounded", Colour::Rgb([246, 247, 249])),
             };
-            faces.push(Item::new(Shape::region(rings), style).with_id(format!("f{}", f.0)))?;
+            faces.push(Item::new(Shape::region(rings), style).with_id(name))?;
         }
 
         let mut edges = Layer::new("edges");
-        for e in dcel.edges() {
+        for (e, name) in cells.edges() {
             for chain in outlines.edge_copies(e) {
-                edges.push(Item::new(Shape::Polyline(chain), look.edge()).with_id(format!("e{}", e.0)))?;
+                edges.push(Item::new(Shape::Polyline(chain), look.edge()).with_id(name.clone()))?;
             }
         }
 
         let mut vertices = Layer::new("vertices");
-        for v in view.vertices() {
+        for (v, name) in cells.vertices() {
             let Some(point) = arrangement.point(v) else { continue };
             let location = arrangement.topology().point_location(arrangement.traits(), point);
             let style = look.vertex(dcel.outgoing(v).is_none());
             for at in outlines.copies(arrangement.traits().approx_point(point), location, is_torus) {
                 let item = Item::new(Shape::disc(at, look.size), style.clone());
-                vertices.push(item.with_id(format!("v{}", v.0)))?;
+                vertices.push(item.with_id(name.clone()))?;
             }
         }
 

@@ -4,6 +4,7 @@ use arrangement::Arrangement;
 use arrangement::models::{Geodesic, GeodesicTraits};
 use arrangement::topology::Sphere;
 use arrangement::traits::BasicTraits;
+use cubical::{CubicalArrangement, CubicalPieces};
 
 pub(crate) type Direction = <GeodesicTraits as BasicTraits>::Point;
 
@@ -39,13 +40,23 @@ pub(crate) fn arrange(curves: &[Geodesic]) -> Arrangement<GeodesicTraits, Sphere
     Arrangement::of_curves(GeodesicTraits::new(), Sphere, curves)
 }
 
+pub(crate) fn sample() -> Arrangement<GeodesicTraits, Sphere> {
+    arrange(&sample_curves())
+}
+
+pub(crate) fn on_cube(curves: &[Geodesic]) -> CubicalArrangement {
+    let mut pieces = CubicalPieces::new();
+    curves.iter().for_each(|curve| pieces.push_geodesic(curve));
+    CubicalArrangement::of_pieces(pieces)
+}
+
 /// A triangle over the identification with another one in it; an arc through the north pole, and one that ends in the south pole; a
 /// great circle, and an arc of more than half of one; isolated points, one of them on the identification.
-pub(crate) fn sample() -> Arrangement<GeodesicTraits, Sphere> {
+pub(crate) fn sample_curves() -> Vec<Geodesic> {
     let mut curves = polygon(&[[-4, 3, 1], [-4, -3, 1], [-3, 0, 4]]);
     curves.extend(polygon(&[[-8, 1, 4], [-8, -1, 4], [-4, 0, 3]]));
     curves.extend([arc([1, 2, 4], [-1, -2, 4]), arc([3, -1, 2], [0, 0, -1])]);
     curves.extend([circle([1, 0, 0], [0, 3, -2]), via([3, 0, -1], [-3, -3, 2], [0, 3, -1])]);
     curves.extend([point([2, 2, 1]), point([-2, 0, -1])]);
-    arrange(&curves)
+    curves
 }

@@ -27,7 +27,7 @@ use serde_json::{Value, json};
 use super::{BUDGET, LEAST, report, setup};
 use crate::{Failure, python, shell};
 pub(crate) use edits::{Holes, split_off_faces};
-pub(crate) use once::{Measured, fresh};
+pub(crate) use once::{Measured, fresh, timed};
 pub(crate) use ours::arcs;
 pub(crate) use places::{Search, searches};
 use rows::{Peer, ROWS, Row};

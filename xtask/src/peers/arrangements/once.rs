@@ -175,7 +175,7 @@ fn perform(operation: Operation, operands: &[Operand]) -> Result<Found, Failure>
 }
 
 /// The result and the processor seconds of this thread; the library starts no other for arrangements.
-pub(super) fn timed<T>(action: impl FnOnce() -> T) -> (T, f64) {
+pub(crate) fn timed<T>(action: impl FnOnce() -> T) -> (T, f64) {
     let begin = processor_seconds();
     let result = action();
     (result, processor_seconds() - begin)

@@ -6,7 +6,7 @@ use crate::arrangement::Arrangement;
 use crate::editor::Editor;
 use crate::models::polycurve::PolycurveTraits;
 use crate::models::{Linear, LinearTraits, Segment, SegmentTraits, TorusSegmentTraits};
-use crate::random::{Numbers, random_cylinder, random_lines, random_paths, random_segments};
+use crate::random::{Numbers, random_cylinder, random_globe, random_lines, random_paths, random_segments};
 use crate::topology::{BoundedPlane, FlatTorus, Topology, UnboundedPlane};
 use crate::traits::{BasicTraits, UMonotoneTraits};
 use dcel::{EdgeId, FaceId, VertexId};
@@ -256,6 +256,7 @@ fn corner_faces() {
         refused += check_corner_faces(random_lines(&mut numbers, 6).arrangement());
         refused += check_corner_faces(random_paths(&mut numbers, 5).arrangement());
         refused += check_corner_faces(random_cylinder(&mut numbers, 5).arrangement());
+        refused += check_corner_faces(random_globe(&mut numbers, 5).arrangement());
     }
     assert!(refused > 500, "{refused}");
 }

@@ -138,6 +138,31 @@ impl GeodesicArc {
         Self::new(self.circle.clone(), places, self.is_directed_right)
     }
 
+    /// The arc reflected through the center of the sphere, cut at the opposite identification: at the same places from left to right, and mirrored from
+    /// bottom to top.
+    pub(super) fn antipodal(&self) -> Self {
+        let mirrored = |location: Location| match location.v {
+            Along::Low => Location { v: Along::High, ..location },
+            Along::Inside => location,
+            Along::High => Location { v: Along::Low, ..location },
+        };
+        let ends = self.ends.each_ref().map(Direction::opposite);
+        let locations = self.locations.map(mirrored);
+        let reflected = Self { ends, locations, circle: self.circle.clone(), ..*self };
+        if !self.is_meridian() {
+            return reflected;
+        }
+        // What went up goes down, and is run through the other way.
+        let Self { circle, ends: [min, max], locations: [at_min, at_max], is_directed_right, .. } = reflected;
+        Self {
+            circle: circle.opposite(),
+            ends: [max, min],
+            locations: [at_max, at_min],
+            is_long: self.is_long,
+            is_directed_right: !is_directed_right,
+        }
+    }
+
     /// The same arc in the other direction.
     pub(super) fn reversed(&self) -> Self {
         Self { is_directed_right: !self.is_directed_right, ..self.clone() }

@@ -11,6 +11,7 @@
 //! | `arc` | the pieces: u-monotone arcs |
 //! | `meet` | intersections, and what a sweep asks |
 //! | `boundary` | ends on sides of the parameter space |
+//! | `reflect` | arrangements reflected through the center |
 //! | `approx` | floats, for pictures and landmarks |
 //! | this one | the traits and their predicates |
 //!
@@ -31,6 +32,7 @@ mod boundary;
 mod curve;
 mod cut;
 mod meet;
+mod reflect;
 #[cfg(test)]
 mod tests;
 

@@ -47,16 +47,7 @@ impl<S: PieceTraits + NearBottomTopTraits> NearBottomTopTraits for PolycurveTrai
 
 impl<S: PieceTraits + OpenLeftRightTraits> OpenLeftRightTraits for PolycurveTraits<S> {}
 impl<S: PieceTraits + OpenBottomTopTraits> OpenBottomTopTraits for PolycurveTraits<S> {}
-
-impl<S: PieceTraits + ContractedLeftRightTraits> ContractedLeftRightTraits for PolycurveTraits<S> {
-    fn contraction_left_right(&self, side: CurveEnd) -> Self::Point {
-        self.pieces.contraction_left_right(side)
-    }
-
-    fn contracted_left_right(&self, p: &Self::Point) -> Option<CurveEnd> {
-        self.pieces.contracted_left_right(p)
-    }
-}
+impl<S: PieceTraits + ContractedLeftRightTraits> ContractedLeftRightTraits for PolycurveTraits<S> {}
 
 impl<S: PieceTraits + ContractedBottomTopTraits> ContractedBottomTopTraits for PolycurveTraits<S> {
     fn contraction_bottom_top(&self, side: CurveEnd) -> Self::Point {

@@ -108,9 +108,9 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Edits<'a, G, T> {
             .filter(|&site| !self.trapezoids.is_gone(site) && !self.is_used(site))
             .filter(|&site| {
                 let v = self.trapezoids.vertex(site);
-                self.arrangement.point(v).is_none_or(|point| {
-                    let home = self.arrangement.topology().point_location(self.arrangement.traits(), point);
-                    self.trapezoids.location(site) != home || self.trapezoids.sites_of(v).count() == 1
+                self.home(v).is_none_or(|home| {
+                    self.trapezoids.location(site) != home.location
+                        || self.trapezoids.sites_of(v).count() == 1
                 })
             })
             .collect();
@@ -185,9 +185,11 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Edits<'a, G, T> {
         }
     }
 
+    /// Where the site of a vertex is, whatever edges it has; none at infinity and at a pole, where only ends of edges have sites.
     fn home(&self, v: VertexId) -> Option<Site<'a, G>> {
         let (traits, topology) = (self.arrangement.traits(), self.arrangement.topology());
-        self.arrangement.point(v).map(|point| Site::of_point(topology, traits, point))
+        let point = self.arrangement.point(v).filter(|_| !self.arrangement.stands_for_side(v));
+        point.map(|point| Site::of_point(topology, traits, point))
     }
 
     fn add_home(&mut self, v: VertexId) {
@@ -198,8 +200,8 @@ impl<'a, G: UMonotoneTraits, T: Topology<G>> Edits<'a, G, T> {
 
     /// Adds the site of a vertex, on a rail if it lies on one.
     fn add_site(&mut self, numbers: &mut Numbers) -> bool {
-        let candidates: Vec<VertexId> =
-            self.arrangement.vertices().filter(|&v| self.trapezoids.sites_of(v).next().is_none()).collect();
+        let is_bare = |v: &VertexId| self.home(*v).is_some() && self.trapezoids.sites_of(*v).next().is_none();
+        let candidates: Vec<VertexId> = self.arrangement.vertices().filter(is_bare).collect();
         let Some(v) = pick(&candidates, numbers) else { return false };
         let Some((e, f)) = self.covering(v) else {
             self.add_home(v);
@@ -304,6 +306,11 @@ fn lines_go_and_come_back() {
 #[test]
 fn paths_on_a_torus_go_and_come_back() {
     on(60, 4, random_paths, all_go_and_come_back);
+}
+
+#[test]
+fn arcs_on_a_sphere_go_and_come_back() {
+    on(60, 4, random_globe, all_go_and_come_back);
 }
 
 #[test]

@@ -4,6 +4,7 @@ use super::*;
 use crate::models::{Segment, SegmentTraits, TorusSegmentTraits};
 use crate::topology::{BoundedPlane, FlatTorus};
 use dcel::FaceId;
+use exact::planar::Point2;
 
 fn sorted(mut trapezoids: Vec<TrapezoidId>) -> Vec<TrapezoidId> {
     trapezoids.sort_unstable();
@@ -60,6 +61,7 @@ fn smaller_parts_of_random_arrangements() {
     on(60, 8, random_lines, smaller_parts_are_parts);
     on(150, 5, random_paths, smaller_parts_are_parts);
     on(100, 5, random_cylinder, smaller_parts_are_parts);
+    on(150, 6, random_globe, smaller_parts_are_parts);
 }
 
 /// A closed chain of segments through points.

@@ -1,17 +1,11 @@
 //! What has to hold after each step.
 
 use super::draw::Draw;
-use super::drawn::{Drawn, PieceOf};
-use super::scan::{P, Scan, Stroke};
+use super::drawn::{Drawn, Made, PieceOf, PointOf};
 use super::steps::World;
-use crate::family::Family;
 use dcel::{EdgeId, FaceId, HalfedgeId, VertexId};
-use exact::Rational;
-use exact::planar::Point2;
+use splitstar_arrangement::locate_by_sweep;
 use splitstar_arrangement::overlay::Cell;
-use splitstar_arrangement::{Arrangement, locate_by_sweep};
-
-pub(super) type Made<F> = Arrangement<<F as Family>::Traits, <F as Family>::Surface>;
 
 impl<F: Drawn> World<F> {
     /// Checks the arrangement, the mirror, and where some points are found.
@@ -22,20 +16,16 @@ impl<F: Drawn> World<F> {
             self.family.strokes(a) == self.family.strokes(b) && self.family.labels(a) == self.family.labels(b)
         };
         assert_eq!(self.editor.observers().1.difference(arrangement, is_same), None, "the mirror");
-        let scan = Scan::new(&self.family, arrangement);
-        let half = Rational::ONE.checked_div(&Rational::from(2)).expect("2 is not zero");
-        let mut points: Vec<Point2> = (0..3).map(|_| self.family.point(draw)).collect();
+        let mut points: Vec<PointOf<F>> = (0..3).map(|_| self.family.point(draw)).collect();
         for _ in 0..2 {
-            let vertices: Vec<VertexId> = arrangement.vertices().collect();
-            points.extend(draw.choose(&vertices).and_then(|v| arrangement.point(v).cloned()));
-            let strokes = draw.choose(&scan.edges).map(|(_, strokes)| strokes);
-            let place = strokes.and_then(|strokes| Some(draw.choose(&strokes)?.at(&half)));
-            points.extend(place.map(|place| self.family.at(&place)));
+            points.extend(draw.choose(&self.vertices()).and_then(|v| arrangement.point(v).cloned()));
+            points.extend(draw.choose(&self.edges()).and_then(|e| self.inner_point(e, draw)));
         }
         let cells = locate_by_sweep(arrangement, &points);
-        for (point, &cell) in points.iter().zip(&cells) {
+        let scanned = self.family.scan(arrangement, &points);
+        for ((point, &cell), expected) in points.iter().zip(&cells).zip(scanned) {
             assert_eq!(self.editor.locate(point), cell, "at {point}, against one sweep");
-            if let Some(expected) = scan.locate(point) {
+            if let Some(expected) = expected {
                 assert_eq!(cell, expected, "at {point}, one sweep against a scan");
             }
         }
@@ -43,11 +33,8 @@ impl<F: Drawn> World<F> {
     }
 
     /// A place in the interior of an edge.
-    pub(super) fn inner_point(&self, e: EdgeId, draw: &mut Draw<'_>) -> Option<Point2> {
-        let strokes = self.family.strokes(&self.editor.arrangement().make_edge_curve(e));
-        let stroke = draw.choose(&strokes)?;
-        let times = Rational::from(1 + draw.below(3) as i64).checked_div(&Rational::from(4));
-        Some(self.family.at(&stroke.at(&times.expect("4 is not zero"))))
+    pub(super) fn inner_point(&self, e: EdgeId, draw: &mut Draw<'_>) -> Option<PointOf<F>> {
+        self.family.inner_point(&self.editor.arrangement().make_edge_curve(e), draw)
     }
 }
 
@@ -62,12 +49,12 @@ pub(super) fn assert_alike<F: Drawn>(family: &F, found: &Made<F>, expected: &Mad
 }
 
 /// The ends of an edge; `None` where it has none.
-type EndsOf = [Option<P>; 2];
+type EndsOf<F> = [Option<<F as Drawn>::Place>; 2];
 
 /// What the edges carry, with their ends.
-fn labels<F: Drawn>(family: &F, arrangement: &Made<F>) -> Vec<(EndsOf, Vec<u32>)> {
+fn labels<F: Drawn>(family: &F, arrangement: &Made<F>) -> Vec<(EndsOf<F>, Vec<u32>)> {
     let of = |e: EdgeId| {
-        let ends = arrangement.dcel().ends(e).map(|v| arrangement.point(v).map(Point2::coordinates));
+        let ends = arrangement.dcel().ends(e).map(|v| arrangement.point(v).map(|p| family.place(p)));
         (ends, family.labels(arrangement.curve_of(e)))
     };
     let mut all: Vec<_> = arrangement.dcel().edges().map(of).collect();
@@ -77,18 +64,18 @@ fn labels<F: Drawn>(family: &F, arrangement: &Made<F>) -> Vec<(EndsOf, Vec<u32>)
 
 /// All that must come back with its id if operations are taken back.
 #[derive(PartialEq, Debug)]
-pub(super) struct Identities {
+pub(super) struct Identities<P, S> {
     points: Vec<(VertexId, Option<P>)>,
     vertices: Vec<(VertexId, bool, Option<FaceId>)>,
     halfedges: Vec<(HalfedgeId, [HalfedgeId; 2], VertexId, FaceId)>,
-    edges: Vec<(EdgeId, Vec<Stroke>, Vec<u32>)>,
+    edges: Vec<(EdgeId, Vec<S>, Vec<u32>)>,
     faces: Vec<(FaceId, usize)>,
 }
 
-impl Identities {
-    pub(super) fn of<F: Drawn>(family: &F, arrangement: &Made<F>) -> Self {
+impl<P, S> Identities<P, S> {
+    pub(super) fn of<F: Drawn<Place = P, Stroke = S>>(family: &F, arrangement: &Made<F>) -> Self {
         let dcel = arrangement.dcel();
-        let point = |v| (v, arrangement.point(v).map(Point2::coordinates));
+        let point = |v| (v, arrangement.point(v).map(|p| family.place(p)));
         let vertex = |v| (v, arrangement.is_artificial(v), dcel.isolated_face(v));
         let edge = |e| {
             let curve = arrangement.make_edge_curve(e);

@@ -57,4 +57,18 @@ impl<'a> Draw<'a> {
         let lowest = -(self.size as i64);
         [self.fraction(lowest), self.fraction(lowest)]
     }
+
+    /// A direction in space: often a pole, or on one of two half meridians.
+    pub(super) fn direction(&mut self) -> [i64; 3] {
+        let range = self.size.div_ceil(3);
+        let mut coordinate = || self.below(2 * range + 1) as i64 - range as i64;
+        let [x, y, z] = [coordinate(), coordinate(), coordinate()];
+        match self.below(8) {
+            0 => [0, 0, if z < 0 { -1 } else { 1 }],
+            1 => [-1 - x.abs(), 0, z],
+            2 => [1, 0, z],
+            _ if [x, y, z] == [0; 3] => [0, 0, 1],
+            _ => [x, y, z],
+        }
+    }
 }

@@ -1,35 +1,49 @@
-//! The families of curves on which scripts run, each on its surface.
+//! What scripts want of a family of curves.
 
 use super::draw::Draw;
-use super::scan::{P, Stroke};
-use crate::family::{CurveOf, Family, Linears, MinimalSegments, Numbered, Polylinears, Polylines, Segments};
+use super::scan::{P, Scan, Stroke};
+use super::straight::Straight;
 use exact::Rational;
-use exact::planar::Point2;
-use splitstar_arrangement::models::polycurve::{Chain, Polycurve, PolycurveTraits};
-use splitstar_arrangement::models::{
-    Linear, MinimalSegment, Segment, TorusPath, TorusSegment, TorusSegmentTraits,
-};
-use splitstar_arrangement::topology::FlatTorus;
-use splitstar_arrangement::traits::{BasicTraits, CurveEnd};
-use splitstar_arrangement::wrappers::{DataSet, WithData};
+use splitstar_arrangement::Arrangement;
+use splitstar_arrangement::overlay::Cell;
+use splitstar_arrangement::topology::Topology;
+use splitstar_arrangement::traits::{ArrangementTraits, BasicTraits, DirectionalTraits, LandmarkTraits};
+use std::fmt::{Debug, Display};
 
-/// A family whose curves bytes describe.
-pub(super) trait Drawn: Family {
+/// A family whose curves bytes describe, on a surface.
+pub(super) trait Drawn: Debug {
+    type Traits: ArrangementTraits<Point: Display, Curve: Debug, UMonotoneCurve: Debug>
+        + DirectionalTraits
+        + LandmarkTraits
+        + Clone;
+    type Surface: Topology<Self::Traits>;
+
+    /// A point in coordinates.
+    type Place: Ord + Debug;
+
+    /// A part of a curve in coordinates.
+    type Stroke: PartialEq + Debug;
+
+    fn traits(&self) -> Self::Traits;
+    fn surface(&self) -> Self::Surface;
+
     /// A curve that bytes describe; `None` if they describe none.
     fn curve(&self, draw: &mut Draw<'_>) -> Option<CurveOf<Self>>;
 
-    /// A point that bytes describe, with the coordinates by which the traits know it.
-    fn point(&self, draw: &mut Draw<'_>) -> Point2 {
-        draw.point()
-    }
+    /// A point that bytes describe.
+    fn point(&self, draw: &mut Draw<'_>) -> PointOf<Self>;
 
-    /// The point of the surface at a place of the parameter space.
-    fn at(&self, place: &P) -> Point2 {
-        Point2::from_rationals(place)
-    }
+    /// The coordinates of a point.
+    fn place(&self, point: &PointOf<Self>) -> Self::Place;
 
-    /// The straight parts of a curve.
-    fn strokes(&self, curve: &PieceOf<Self>) -> Vec<Stroke>;
+    /// The parts of a curve.
+    fn strokes(&self, curve: &PieceOf<Self>) -> Vec<Self::Stroke>;
+
+    /// A place in the interior of a curve.
+    fn inner_point(&self, curve: &PieceOf<Self>, draw: &mut Draw<'_>) -> Option<PointOf<Self>>;
+
+    /// The cells of points, found in coordinates without the predicates of the library; `None` where this is not told.
+    fn scan(&self, arrangement: &Made<Self>, points: &[PointOf<Self>]) -> Vec<Option<Cell>>;
 
     /// What a curve carries.
     fn labels(&self, curve: &PieceOf<Self>) -> Vec<u32> {
@@ -42,226 +56,50 @@ pub(super) trait Drawn: Family {
         let _ = label;
         curve
     }
-
-    /// The periods, if the surface is a torus.
-    fn period(&self) -> Option<P> {
-        None
-    }
 }
 
-pub(super) type PieceOf<F> = <<F as Family>::Traits as BasicTraits>::UMonotoneCurve;
+pub(super) type CurveOf<F> = <<F as Drawn>::Traits as ArrangementTraits>::Curve;
+pub(super) type PieceOf<F> = <<F as Drawn>::Traits as BasicTraits>::UMonotoneCurve;
+pub(super) type PointOf<F> = <<F as Drawn>::Traits as BasicTraits>::Point;
+pub(super) type Made<F> = Arrangement<<F as Drawn>::Traits, <F as Drawn>::Surface>;
 
-fn stroke_between(p: &Point2, q: &Point2) -> Stroke {
-    Stroke::new([p.coordinates(), q.coordinates()], [false; 2])
-}
+impl<F: Straight> Drawn for F {
+    type Traits = F::Traits;
+    type Surface = F::Surface;
+    type Place = P;
+    type Stroke = Stroke;
 
-fn linear_stroke(curve: &Linear) -> Stroke {
-    let [a, b, c] = curve.supporting_line().coefficients().map(Rational::from);
-    let ends = curve.ends().each_ref().map(|end| end.as_ref().map(Point2::coordinates));
-    let is_open = ends.each_ref().map(Option::is_none);
-    // To the right, or up.
-    let way =
-        if (&b, &-&a) > (&Rational::ZERO, &Rational::ZERO) { [b.clone(), -&a] } else { [-&b, a.clone()] };
-    let along = |p: &P, times: i64| [0, 1].map(|i| &p[i] + Rational::from(times) * &way[i]);
-    let nearest = || {
-        let factor = c.checked_div(&(&a * &a + &b * &b)).expect("a line has a direction");
-        [&a * &factor, &b * &factor]
-    };
-    let ends = match ends {
-        [Some(p), Some(q)] => [p, q],
-        [Some(p), None] => [p.clone(), along(&p, 1)],
-        [None, Some(q)] => [along(&q, -1), q],
-        [None, None] => [nearest(), along(&nearest(), 1)],
-    };
-    Stroke::new(ends, is_open)
-}
-
-fn torus_stroke(curve: &TorusSegment) -> Stroke {
-    stroke_between(curve.place(CurveEnd::Min), curve.place(CurveEnd::Max))
-}
-
-impl Drawn for Segments {
-    fn curve(&self, draw: &mut Draw<'_>) -> Option<Segment> {
-        Segment::new(draw.point(), draw.point())
+    fn traits(&self) -> F::Traits {
+        F::traits(self)
     }
-    fn strokes(&self, curve: &Segment) -> Vec<Stroke> {
-        vec![stroke_between(curve.min(), curve.max())]
+    fn surface(&self) -> F::Surface {
+        F::surface(self)
     }
-}
-
-impl Drawn for MinimalSegments {
-    fn curve(&self, draw: &mut Draw<'_>) -> Option<MinimalSegment> {
-        MinimalSegment::new(draw.point(), draw.point())
+    fn curve(&self, draw: &mut Draw<'_>) -> Option<CurveOf<F>> {
+        Straight::curve(self, draw)
     }
-    fn strokes(&self, curve: &MinimalSegment) -> Vec<Stroke> {
-        let [p, q] = curve.ends();
-        vec![stroke_between(p, q)]
+    fn point(&self, draw: &mut Draw<'_>) -> PointOf<F> {
+        Straight::point(self, draw)
     }
-}
-
-impl Drawn for Numbered {
-    fn curve(&self, draw: &mut Draw<'_>) -> Option<CurveOf<Self>> {
-        let segment = Segments.curve(draw)?;
-        Some(WithData::new(segment, DataSet::single(draw.below(4) as u32)))
+    fn place(&self, point: &PointOf<F>) -> P {
+        point.coordinates()
     }
-    fn strokes(&self, curve: &PieceOf<Self>) -> Vec<Stroke> {
-        Segments.strokes(&curve.curve)
+    fn strokes(&self, curve: &PieceOf<F>) -> Vec<Stroke> {
+        Straight::strokes(self, curve)
     }
-    fn labels(&self, curve: &PieceOf<Self>) -> Vec<u32> {
-        curve.data.iter().copied().collect()
+    fn inner_point(&self, curve: &PieceOf<F>, draw: &mut Draw<'_>) -> Option<PointOf<F>> {
+        let stroke = draw.choose(&Straight::strokes(self, curve))?;
+        let times = Rational::from(1 + draw.below(3) as i64).checked_div(&Rational::from(4));
+        Some(self.at(&stroke.at(&times.expect("4 is not zero"))))
     }
-    fn relabeled(&self, mut curve: PieceOf<Self>, label: u32) -> PieceOf<Self> {
-        curve.data = DataSet::single(label);
-        curve
+    fn scan(&self, arrangement: &Made<F>, points: &[PointOf<F>]) -> Vec<Option<Cell>> {
+        let scan = Scan::new(self, arrangement);
+        points.iter().map(|point| scan.locate(point)).collect()
     }
-}
-
-impl Drawn for Linears {
-    fn curve(&self, draw: &mut Draw<'_>) -> Option<Linear> {
-        let (p, q) = (draw.point(), draw.point());
-        match draw.below(4) {
-            0 => Linear::line(&p, &q),
-            1 => Linear::ray(p, &q),
-            _ => Linear::segment(p, q),
-        }
+    fn labels(&self, curve: &PieceOf<F>) -> Vec<u32> {
+        Straight::labels(self, curve)
     }
-    fn strokes(&self, curve: &Linear) -> Vec<Stroke> {
-        vec![linear_stroke(curve)]
-    }
-}
-
-/// Some of them are closed.
-impl Drawn for Polylines {
-    fn curve(&self, draw: &mut Draw<'_>) -> Option<Polycurve<Point2, Segment>> {
-        let count = 2 + draw.below(4);
-        let vertices: Vec<Point2> = (0..count).map(|_| draw.point()).collect();
-        if draw.one_in(4) {
-            self.traits().make_polygon(vertices).ok()
-        } else {
-            self.traits().make_polyline(vertices).ok()
-        }
-    }
-    fn strokes(&self, curve: &Chain<Segment>) -> Vec<Stroke> {
-        curve.pieces().iter().flat_map(|piece| Segments.strokes(piece)).collect()
-    }
-}
-
-impl Drawn for Polylinears {
-    fn curve(&self, draw: &mut Draw<'_>) -> Option<Polycurve<Point2, Linear>> {
-        let [p, q, r] = [draw.point(), draw.point(), draw.point()];
-        let kind = draw.below(8);
-        if kind == 0 {
-            return self.traits().make_polycurve([Linear::line(&p, &q)?]).ok();
-        }
-        let middle = Linear::segment(p.clone(), q.clone())?;
-        let first = [3, 6].contains(&kind).then(|| Linear::ray(p, &draw.point())).flatten();
-        let last = if kind < 4 { Linear::segment(q, r) } else { Linear::ray(q, &r) };
-        self.traits().make_polycurve(first.into_iter().chain([middle]).chain(last)).ok()
-    }
-    fn strokes(&self, curve: &Chain<Linear>) -> Vec<Stroke> {
-        curve.pieces().iter().map(linear_stroke).collect()
-    }
-}
-
-/// Paths on a small torus.
-#[derive(Debug)]
-pub(super) struct Torus {
-    traits: TorusSegmentTraits,
-}
-
-impl Torus {
-    pub(super) fn new(period: [i64; 2]) -> Self {
-        let traits = TorusSegmentTraits::new(period.map(Rational::from));
-        Self { traits: traits.expect("the periods are positive") }
-    }
-}
-
-impl Family for Torus {
-    type Traits = TorusSegmentTraits;
-    type Surface = FlatTorus;
-
-    fn traits(&self) -> TorusSegmentTraits {
-        self.traits.clone()
-    }
-    fn surface(&self) -> FlatTorus {
-        FlatTorus
-    }
-}
-
-impl Drawn for Torus {
-    fn curve(&self, draw: &mut Draw<'_>) -> Option<TorusPath> {
-        let start = self.point(draw);
-        if draw.one_in(4) {
-            let winding = [0; 2].map(|_| draw.below(5) as i64 - 2);
-            return self.traits.closed_path(&start, winding).ok();
-        }
-        let mut way = draw.vector();
-        match draw.below(4) {
-            0 => way[0] = Rational::ZERO,
-            1 => way[1] = Rational::ZERO,
-            _ => {}
-        }
-        self.traits.path(&start, &way).ok()
-    }
-    fn point(&self, draw: &mut Draw<'_>) -> Point2 {
-        self.traits.point(&draw.point())
-    }
-    fn at(&self, place: &P) -> Point2 {
-        self.traits.point(&Point2::from_rationals(place))
-    }
-    fn strokes(&self, curve: &TorusSegment) -> Vec<Stroke> {
-        vec![torus_stroke(curve)]
-    }
-    fn period(&self) -> Option<P> {
-        Some(self.traits.period().clone())
-    }
-}
-
-/// Polylines on a small torus.
-#[derive(Debug)]
-pub(super) struct TorusPolylines {
-    torus: Torus,
-}
-
-impl TorusPolylines {
-    pub(super) fn new(period: [i64; 2]) -> Self {
-        Self { torus: Torus::new(period) }
-    }
-}
-
-impl Family for TorusPolylines {
-    type Traits = PolycurveTraits<TorusSegmentTraits>;
-    type Surface = FlatTorus;
-
-    fn traits(&self) -> Self::Traits {
-        PolycurveTraits::new(self.torus.traits())
-    }
-    fn surface(&self) -> FlatTorus {
-        FlatTorus
-    }
-}
-
-impl Drawn for TorusPolylines {
-    fn curve(&self, draw: &mut Draw<'_>) -> Option<Polycurve<Point2, TorusSegment>> {
-        let mut place = draw.point().coordinates();
-        let mut vertices = vec![Point2::from_rationals(&place)];
-        for _ in 0..1 + draw.below(3) {
-            let way = draw.vector();
-            place = [0, 1].map(|i| &place[i] + &way[i]);
-            vertices.push(Point2::from_rationals(&place));
-        }
-        self.traits().make_cover_polyline(vertices).ok()
-    }
-    fn point(&self, draw: &mut Draw<'_>) -> Point2 {
-        self.torus.point(draw)
-    }
-    fn at(&self, place: &P) -> Point2 {
-        self.torus.at(place)
-    }
-    fn strokes(&self, curve: &Chain<TorusSegment>) -> Vec<Stroke> {
-        curve.pieces().iter().map(torus_stroke).collect()
-    }
-    fn period(&self) -> Option<P> {
-        self.torus.period()
+    fn relabeled(&self, curve: PieceOf<F>, label: u32) -> PieceOf<F> {
+        Straight::relabeled(self, curve, label)
     }
 }

@@ -8,15 +8,20 @@
 mod check;
 mod draw;
 mod drawn;
+mod globe;
+mod globe_scan;
 mod rays;
 mod scan;
 mod steps;
+mod straight;
 
 use crate::family::{Linears, MinimalSegments, Numbered, Polylinears, Polylines, Segments};
 use draw::Draw;
-use drawn::{Drawn, Torus, TorusPolylines};
+use drawn::Drawn;
+use globe::{Globe, GlobeChains};
 pub(crate) use steps::Log;
 use steps::World;
+use straight::{Torus, TorusPolylines};
 
 /// The number of bytes before the first step.
 pub(crate) const HEADER: usize = 4;
@@ -25,7 +30,7 @@ pub(crate) const HEADER: usize = 4;
 pub(crate) const STEP: usize = 16;
 
 /// The number of families.
-pub(crate) const FAMILIES: u8 = 8;
+pub(crate) const FAMILIES: u8 = 10;
 
 /// Runs the script that bytes describe, and has written down what it does.
 ///
@@ -37,6 +42,7 @@ pub(crate) fn run(bytes: &[u8], log: Log<'_>) {
     let size = 2 + u64::from(header[1] % 5);
     let denominator = 1 + i64::from(header[1] >= 192);
     let period = [[1, 1], [2, 3], [4, 3], [4, 4]][usize::from(header[1] % 4)];
+    let identification = [[-1, 0], [0, 1], [1, 1], [-2, 1]][usize::from(header[1] % 4)];
     let draw = |step| Draw::new(step, size, denominator);
     let takes_all_back = header[2] % 2 == 0;
     let steps = || steps.chunks_exact(STEP).map(draw);
@@ -48,7 +54,9 @@ pub(crate) fn run(bytes: &[u8], log: Log<'_>) {
         4 => play(Polylinears, steps(), takes_all_back, log),
         5 => play(TorusPolylines::new(period), steps(), takes_all_back, log),
         6 => play(MinimalSegments, steps(), takes_all_back, log),
-        _ => play(Polylines, steps(), takes_all_back, log),
+        7 => play(Polylines, steps(), takes_all_back, log),
+        8 => play(Globe::new(identification), steps(), takes_all_back, log),
+        _ => play(GlobeChains::new(identification), steps(), takes_all_back, log),
     }
 }
 

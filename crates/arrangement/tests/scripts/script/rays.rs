@@ -1,18 +1,16 @@
 //! All strategies of point location: the map follows the edits, landmarks are set anew.
 
-use super::drawn::Drawn;
+use super::drawn::{Drawn, PointOf};
 use super::steps::World;
-use crate::family::Family;
-use exact::planar::Point2;
 use splitstar_arrangement::location::{Landmarks, Naive, PointLocation, VerticalRay, Walk};
 use splitstar_arrangement::overlay::Cell;
 
 /// A strategy, with its name.
-type Named<'a, F> = (&'a str, &'a dyn PointLocation<<F as Family>::Traits, <F as Family>::Surface>);
+type Named<'a, F> = (&'a str, &'a dyn PointLocation<<F as Drawn>::Traits, <F as Drawn>::Surface>);
 
 impl<F: Drawn> World<F> {
     /// Checks that all strategies find the cells that a sweep found, one by one and together, and that rays find the same.
-    pub(super) fn check_rays(&self, points: &[Point2], cells: &[Cell]) {
+    pub(super) fn check_rays(&self, points: &[PointOf<F>], cells: &[Cell]) {
         let arrangement = self.editor.arrangement();
         let map = &self.editor.observers().2;
         let landmarks = Landmarks::new(arrangement);

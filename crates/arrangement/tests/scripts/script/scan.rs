@@ -1,22 +1,30 @@
 //! Location by a scan over all cells in coordinates: no predicate of the library is asked.
 
-use super::drawn::Drawn;
+use super::straight::Straight;
 use dcel::{EdgeId, FaceId, VertexId};
 use exact::Rational;
 use exact::planar::Point2;
 use splitstar_arrangement::Arrangement;
 use splitstar_arrangement::overlay::Cell;
+use std::fmt;
 
 /// Coordinates.
 pub(super) type P = [Rational; 2];
 
 /// A straight part of a curve.
-#[derive(Clone, PartialEq, Debug)]
+#[derive(Clone, PartialEq)]
 pub(super) struct Stroke {
     /// Two points of it, the lesser one first.
-    pub(super) ends: [P; 2],
+    ends: [P; 2],
     /// Whether it goes on without end beyond the one and beyond the other.
-    pub(super) is_open: [bool; 2],
+    is_open: [bool; 2],
+}
+
+impl fmt::Debug for Stroke {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [[a, b], [c, d]] = &self.ends;
+        write!(f, "{a} {b} .. {c} {d} {:?}", self.is_open)
+    }
 }
 
 impl Stroke {
@@ -58,7 +66,7 @@ impl Stroke {
 /// The cells of an arrangement in coordinates.
 pub(super) struct Scan {
     vertices: Vec<(VertexId, P)>,
-    pub(super) edges: Vec<(EdgeId, Vec<Stroke>)>,
+    edges: Vec<(EdgeId, Vec<Stroke>)>,
     /// The face above each edge.
     above: Vec<FaceId>,
     period: Option<P>,
@@ -69,7 +77,7 @@ pub(super) struct Scan {
 }
 
 impl Scan {
-    pub(super) fn new<F: Drawn>(family: &F, arrangement: &Arrangement<F::Traits, F::Surface>) -> Self {
+    pub(super) fn new<F: Straight>(family: &F, arrangement: &Arrangement<F::Traits, F::Surface>) -> Self {
         let dcel = arrangement.dcel();
         let strokes = |e| (e, family.strokes(&arrangement.make_edge_curve(e)));
         let edges: Vec<_> = dcel.edges().map(strokes).collect();

@@ -1,9 +1,8 @@
 //! What the steps of a script do.
 
-use super::check::{Identities, Made, assert_alike, face_of};
+use super::check::{Identities, assert_alike, face_of};
 use super::draw::Draw;
-use super::drawn::{Drawn, PieceOf};
-use crate::family::{CurveOf, Family};
+use super::drawn::{CurveOf, Drawn, Made, PieceOf};
 use crate::swept_again::swept_again;
 use dcel::{EdgeId, EndFate, FaceId, VertexId};
 use splitstar_arrangement::edit::{Mirror, Undo};
@@ -15,7 +14,7 @@ use splitstar_arrangement::traits::{
 use splitstar_arrangement::{Arrangement, Editor, Pieces, locate_by_sweep};
 
 type Watched<F> =
-    (Undo<<F as Family>::Traits>, Mirror<<F as Family>::Traits>, TrapezoidalMap<<F as Family>::Traits>);
+    (Undo<<F as Drawn>::Traits>, Mirror<<F as Drawn>::Traits>, TrapezoidalMap<<F as Drawn>::Traits>);
 
 /// Who writes down what is done.
 pub(crate) type Log<'a> = &'a mut dyn FnMut(String);
@@ -48,12 +47,18 @@ impl<F: Drawn> World<F> {
         Self { family, editor, past: Vec::new() }
     }
 
-    fn vertices(&self) -> Vec<VertexId> {
+    pub(super) fn vertices(&self) -> Vec<VertexId> {
         self.editor.arrangement().vertices().collect()
     }
 
-    fn edges(&self) -> Vec<EdgeId> {
+    pub(super) fn edges(&self) -> Vec<EdgeId> {
         self.editor.arrangement().dcel().edges().collect()
+    }
+
+    /// A vertex that stands for a pole stays, though nothing is there.
+    fn has_vertex(&self, v: VertexId) -> bool {
+        let arrangement = self.editor.arrangement();
+        arrangement.dcel().has_vertex(v) && !arrangement.is_absent(v)
     }
 
     /// Does one step.
@@ -123,10 +128,7 @@ impl<F: Drawn> World<F> {
 
     fn piece_text(&self, piece: &PieceOf<F>) -> String {
         let strokes = self.family.strokes(piece);
-        let texts = strokes.iter().map(|stroke| {
-            let [[a, b], [c, d]] = &stroke.ends;
-            format!("{a} {b} .. {c} {d} {:?}", stroke.is_open)
-        });
+        let texts = strokes.iter().map(|stroke| format!("{stroke:?}"));
         format!("[{}] {:?}", texts.collect::<Vec<_>>().join("; "), self.family.labels(piece))
     }
 
@@ -262,7 +264,7 @@ impl<F: Drawn> World<F> {
         let Some(v) = draw.choose(&self.vertices()) else { return };
         log(format!("remove vertex {}", v.0));
         let result = self.operate(|world| world.editor.remove_vertex(v));
-        assert_eq!(result.is_err(), self.editor.arrangement().dcel().has_vertex(v));
+        assert_eq!(result.is_err(), self.has_vertex(v));
         self.check_swept();
     }
 
@@ -270,7 +272,7 @@ impl<F: Drawn> World<F> {
         let Some(v) = draw.choose(&self.vertices()) else { return };
         log(format!("remove vertex {} with edges", v.0));
         let result = self.operate(|world| world.editor.remove_vertex_with_edges(v));
-        assert_eq!(result.is_err(), self.editor.arrangement().dcel().has_vertex(v));
+        assert_eq!(result.is_err(), self.has_vertex(v));
         self.check_swept();
     }
 

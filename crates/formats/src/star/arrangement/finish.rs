@@ -14,6 +14,11 @@ use arrangement::{Arrangement, Parts, Violation};
 use dcel::{CcbKind, Dcel, DcelViolation, FaceId, HalfedgeId, VertexId};
 use std::mem::{replace, take};
 
+/// What to do with boundaries that do not go round a vertex.
+const ROUND: &str = "let each go on there with the next edge clockwise";
+
+const CONTRADICTION: &str = "the cells contradict the curves; correct the one or the other";
+
 /// Puts curves, points and cells together. `end` is the line where the file ends.
 pub(super) fn finish<B: Base>(
     base: B,
@@ -61,7 +66,7 @@ fn arrangement_of<B: Base, G: Family<B>>(
     };
     Arrangement::from_parts(traits, G::Surface::default(), parts).map_err(|violations| {
         let said = violations.first().map(|violation| sentence::<B>(violation, cells, numbers));
-        let (line, why) = said.unwrap_or_else(|| (None, "the cells contradict the curves".into()));
+        let (line, why) = said.unwrap_or_else(|| (None, CONTRADICTION.into()));
         malformed(line.unwrap_or(end), why)
     })
 }
@@ -118,16 +123,19 @@ fn sentence<B: Base>(violation: &Violation, cells: &Cells, numbers: &Numbers) ->
     let face = |f: dcel::FaceId| cells.faces.id(f.index());
     match *violation {
         Violation::OffSupport(v, e) if cells.vertex_line(v).is_none() => {
-            (edge_line(e), format!("curve {} does not go to infinity at this end of the edge", curve(e)))
+            (edge_line(e), format!("curve {} does not go to infinity at this end of the edge; name the vertex that is there", curve(e)))
         }
-        Violation::OffSupport(v, e) => (edge_line(e), format!("{} is not on curve {}", vertex(v), curve(e))),
+        Violation::OffSupport(v, e) => (
+            edge_line(e),
+            format!("{} is not on curve {}; move it there, or name another vertex or curve", vertex(v), curve(e)),
+        ),
         Violation::EndOrder(e) => (
             edge_line(e),
             "the ends of the edge are equal or in the wrong order; write the lesser one first".into(),
         ),
         Violation::Rotation(v) => (
             cells.vertex_line(v),
-            format!("the boundaries around {} contradict the order of its edges", vertex(v)),
+            format!("the boundaries around {} contradict the order of its edges; {ROUND}", vertex(v)),
         ),
         Violation::Kind(c) => {
             let [is, other] = match cells.ccb_kind(c) {
@@ -138,23 +146,37 @@ fn sentence<B: Base>(violation: &Violation, cells: &Cells, numbers: &Numbers) ->
         }
         Violation::SamePoint(v, w) => {
             let later = v.max(w);
-            (cells.vertex_line(later), format!("{} and {} are one point", vertex(v.min(w)), vertex(later)))
+            let why = format!(
+                "{} and {} are one point; remove one of them, and name the other one instead",
+                vertex(v.min(w)),
+                vertex(later)
+            );
+            (cells.vertex_line(later), why)
         }
         Violation::VertexOnEdge(v, e) => {
             (edge_line(e), format!("{} lies within the edge; cut the edge there", vertex(v)))
         }
         Violation::Crossing(d, e) => {
             let later = d.max(e);
-            (edge_line(later), format!("the edge meets edge {} where no vertex is", edge(d.min(e))))
+            let why = format!(
+                "the edge meets edge {} where no vertex is; add one there, and cut both edges",
+                edge(d.min(e))
+            );
+            (edge_line(later), why)
         }
         Violation::Overlap(d, e) => {
             let later = d.max(e);
-            (edge_line(later), format!("the edge and edge {} have a piece in common", edge(d.min(e))))
+            let why = format!(
+                "the edge and edge {} have a piece in common; write that once, as an edge of its own",
+                edge(d.min(e))
+            );
+            (edge_line(later), why)
         }
         Violation::WrongFace(v, by_cells, found) => {
             let (by_cells, found) = (face(by_cells), face(found));
             let why = format!(
-                "at {}, the boundaries say face {by_cells} where the curves say face {found}",
+                "at {}, the boundaries say face {by_cells} where the curves say face {found}; write what is there \
+                 behind `face {found}`",
                 vertex(v)
             );
             (cells.vertex_line(v), why)
@@ -164,12 +186,17 @@ fn sentence<B: Base>(violation: &Violation, cells: &Cells, numbers: &Numbers) ->
             (Some(cells.faces.line(f.index())), why)
         }
         Violation::Cells(DcelViolation::VertexCycle(v)) => {
-            (cells.vertex_line(v), format!("the boundaries do not run round {} in one turn", vertex(v)))
+            (cells.vertex_line(v), format!("the boundaries do not run round {} in one turn; {ROUND}", vertex(v)))
         }
-        Violation::Cells(_) => (None, "faces and boundaries do not make up the surface".into()),
+        Violation::Cells(_) => (
+            None,
+            "faces and boundaries do not make up the surface; put together what bounds one face, and take apart \
+             what bounds several"
+                .into(),
+        ),
         Violation::Unseen(v) => {
-            (cells.vertex_line(v), format!("the edges of {} contradict the curves", vertex(v)))
+            (cells.vertex_line(v), format!("the edges of {} contradict the curves; correct its coordinates, or the ends of its edges", vertex(v)))
         }
-        _ => (None, "the cells contradict the curves".into()),
+        _ => (None, CONTRADICTION.into()),
     }
 }

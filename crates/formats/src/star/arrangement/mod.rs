@@ -36,4 +36,25 @@ pub use model::{
     StarArrangement, TorusArrangement, TorusPolycurveArrangement,
 };
 pub use read::{read_arrangement, read_numbered_arrangement};
+pub(super) use write::put_boundaries;
 pub use write::write_arrangement;
+
+use crate::base::budget::Budget;
+use crate::base::error::Located;
+use crate::star::line::Line;
+use ::arrangement::models::GeodesicTraits;
+use dcel::FaceId;
+
+/// Writes the surface and the cells of an arrangement on the sphere, with what `put_of_face` writes behind the number of each face.
+pub(super) fn put_sphere(
+    arrangement: &SphereArrangement,
+    text: &mut Vec<u8>,
+    put_of_face: impl FnMut(&mut Vec<u8>, FaceId),
+) {
+    write::put_records::<GeodesicTraits, _>(arrangement, text, put_of_face);
+}
+
+/// Reads what follows `surface sphere`.
+pub(super) fn read_sphere(line: &mut Line<'_>, budget: &mut Budget) -> Result<GeodesicTraits, Located> {
+    <GeodesicTraits as family::Base>::read_surface(line, budget)
+}

@@ -8,10 +8,8 @@ use super::model::{CellNumbers, StarArrangement};
 use super::numbers::{Numbers, OF_NUMBER};
 use crate::base::budget::Budget;
 use crate::base::error::{At, Fault, Located, ReadError};
-use crate::base::places::Place;
-use crate::base::scan::{Scanner, Token};
-use crate::format::{Content, Encoding, Format};
-use crate::gzip;
+use crate::base::scan::Token;
+use crate::star::door::read_star;
 use crate::star::first::{StarKind, read_first_line};
 use crate::star::line::{Line, Lines};
 use arrangement::models::{GeodesicTraits, LinearTraits, TorusSegmentTraits};
@@ -70,56 +68,7 @@ pub fn read_numbered_arrangement(
     bytes: &[u8],
     file_name: Option<&str>,
 ) -> Result<(StarArrangement, CellNumbers), ReadError> {
-    read_packed(bytes, file_name).map_err(|error| error.of_format(Format::Star))
-}
-
-fn read_packed(bytes: &[u8], file_name: Option<&str>) -> Result<(StarArrangement, CellNumbers), Located> {
-    let mut budget = Budget::of_file(bytes.len());
-    if Format::of_content(bytes, bytes.len()) != Content::Gzip {
-        return read_unpacked(bytes, file_name, &mut budget);
-    }
-    let unpacked = gzip::unpack(bytes, &mut budget)?;
-    if Format::of_content(&unpacked, unpacked.len()) == Content::Gzip {
-        return Err(unsupported("gzip within gzip", "unpack it once").into());
-    }
-    read_unpacked(&unpacked, file_name, &mut budget)
-}
-
-fn unsupported(what: &str, instead: &str) -> Fault {
-    Fault::Unsupported { what: what.into(), instead: instead.into() }
-}
-
-fn read_unpacked(
-    bytes: &[u8],
-    file_name: Option<&str>,
-    budget: &mut Budget,
-) -> Result<(StarArrangement, CellNumbers), Located> {
-    if bytes.starts_with(b"\xFF\xFE") || bytes.starts_with(b"\xFE\xFF") {
-        return Err(unsupported("a text in UTF-16", "write it in UTF-8").into());
-    }
-    if let Some(word) = Scanner::new(bytes).token().filter(|word| word.bytes != b"star") {
-        return Err(other_format(word, bytes, file_name));
-    }
-    read_text(bytes, budget)
-}
-
-/// The file begins with another word than `star`.
-#[cold]
-fn other_format(word: Token<'_>, bytes: &[u8], file_name: Option<&str>) -> Located {
-    const STAR: &str = "give a star file, which begins with `star 1 arrangement`";
-    let place = Place::Line(word.line);
-    let by_name = file_name.and_then(Encoding::from_file_name).map(|encoding| encoding.format);
-    let format = match Format::of_content(bytes, bytes.len()) {
-        Content::Known(format) => Some(format),
-        Content::Unlikely(format) => Some(by_name.unwrap_or(format)),
-        Content::Xml => return unsupported("XML as an arrangement", STAR).at(place),
-        Content::Json => return unsupported("JSON as an arrangement", STAR).at(place),
-        Content::Gzip | Content::Unknown => by_name,
-    };
-    match format.filter(|&format| format != Format::Star) {
-        Some(format) => unsupported(&format!("a file of {format} as an arrangement"), STAR).at(place),
-        None => word.unexpected("the first line `star 1 arrangement`"),
-    }
+    read_star(bytes, file_name, StarKind::Arrangement, read_text)
 }
 
 const RECORD: &str = "a record or `end` was expected";
@@ -129,7 +78,7 @@ const HALFEDGE: &str = "an edge declared above with its sign, as `+0` or `-0`,";
 
 fn read_text(bytes: &[u8], budget: &mut Budget) -> Result<(StarArrangement, CellNumbers), Located> {
     let mut lines = Lines::new(bytes);
-    read_first_line(&mut lines, StarKind::Arrangement)?;
+    read_first_line(&mut lines, &[StarKind::Arrangement])?;
     let surface = lines.next_record();
     let Some((word, mut line)) = surface else {
         return Err(Fault::Truncated { expected: "`surface` was expected".into() }.at(lines.last()));

@@ -27,7 +27,7 @@ impl Base for TorusSegmentTraits {
 
     fn read_surface(line: &mut Line<'_>, budget: &mut Budget) -> Result<Self, Located> {
         let period = read_pair(line, budget, "one of two periods")?.map(Number::into_rational);
-        Self::new(period).map_err(|error| malformed(line.number, error.to_string()))
+        Self::new(period).map_err(|error| malformed(line.number, format!("{error}; give one that is")))
     }
 
     /// Coordinates must be below the periods.

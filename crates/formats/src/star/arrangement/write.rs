@@ -4,7 +4,7 @@ use super::course::{Links, course_of};
 use super::family::{Base, Family, StarText};
 use crate::base::numerals::put;
 use arrangement::{Arrangement, CellOrder};
-use dcel::{CcbKind, HalfedgeId};
+use dcel::{CcbKind, Dcel, FaceId, HalfedgeId};
 
 /// Writes an arrangement in the native format, kind `arrangement`: see `docs/star.md`.
 ///
@@ -35,10 +35,21 @@ pub fn write_arrangement(arrangement: &impl StarText) -> Vec<u8> {
 }
 
 pub(super) fn text<B: Base, G: Family<B>>(arrangement: &Arrangement<G, G::Surface>) -> Vec<u8> {
+    let mut text = b"star 1 arrangement\n".to_vec();
+    put_records(arrangement, &mut text, |_, _| ());
+    text.extend_from_slice(b"end\n");
+    text
+}
+
+/// Writes all but the first line and `end`; `put_of_face` writes what is known of a face, behind its number.
+pub(super) fn put_records<B: Base, G: Family<B>>(
+    arrangement: &Arrangement<G, G::Surface>,
+    text: &mut Vec<u8>,
+    mut put_of_face: impl FnMut(&mut Vec<u8>, FaceId),
+) {
     let dcel = arrangement.dcel();
     let CellOrder { vertices, edges, ccbs, faces } = arrangement.cell_order();
-    let mut text = b"star 1 arrangement\n".to_vec();
-    arrangement.traits().base().put_surface(&mut text);
+    arrangement.traits().base().put_surface(text);
 
     // Curves in the order of their first edges.
     const NEW: u32 = u32::MAX;
@@ -51,8 +62,8 @@ pub(super) fn text<B: Base, G: Family<B>>(arrangement: &Arrangement<G, G::Surfac
         }
         links.run(e).for_each(|e| curve_numbers[e.index()] = curve_count);
         let course = course_of(arrangement, links.run(e)).expect("a curve has an edge");
-        put(&mut text, format_args!("curve {curve_count} "));
-        B::put_course(&course, &mut text);
+        put(text, format_args!("curve {curve_count} "));
+        B::put_course(&course, text);
         text.push(b'\n');
         curve_count += 1;
     }
@@ -61,22 +72,22 @@ pub(super) fn text<B: Base, G: Family<B>>(arrangement: &Arrangement<G, G::Surfac
     let mut vertex_numbers = vec![NEW; dcel.vertex_bound()];
     for (number, &v) in (0..).zip(&vertices) {
         vertex_numbers[v.index()] = number;
-        put(&mut text, format_args!("vertex {number}"));
-        B::put_point(arrangement.point(v).expect("vertices in order have points"), &mut text);
+        put(text, format_args!("vertex {number}"));
+        B::put_point(arrangement.point(v).expect("vertices in order have points"), text);
         text.extend_from_slice(if arrangement.is_artificial(v) { b" artificial\n" } else { b"\n" });
     }
 
     let mut edge_numbers = vec![NEW; dcel.edge_bound()];
     for (number, &e) in (0..).zip(&edges) {
         edge_numbers[e.index()] = number;
-        put(&mut text, format_args!("edge {number}"));
+        put(text, format_args!("edge {number}"));
         for v in dcel.ends(e) {
             match vertex_numbers[v.index()] {
                 NEW => text.extend_from_slice(b" infinity"),
-                number => put(&mut text, format_args!(" {number}")),
+                number => put(text, format_args!(" {number}")),
             }
         }
-        put(&mut text, format_args!(" curve {}\n", curve_numbers[e.index()]));
+        put(text, format_args!(" curve {}\n", curve_numbers[e.index()]));
     }
 
     let mut ccbs_of_faces: Vec<Vec<HalfedgeId>> = vec![Vec::new(); dcel.face_bound()];
@@ -84,24 +95,33 @@ pub(super) fn text<B: Base, G: Family<B>>(arrangement: &Arrangement<G, G::Surfac
         ccbs_of_faces[dcel.face(h).index()].push(h);
     }
     for (number, &face) in (0_u32..).zip(&faces) {
-        put(&mut text, format_args!("face {number}\n"));
-        for (kind, keyword) in [(CcbKind::Outer, "outer"), (CcbKind::Inner, "inner")] {
-            let firsts = &ccbs_of_faces[face.index()];
-            for &first in firsts.iter().filter(|&&h| dcel.ccb_kind(dcel.ccb(h)) == kind) {
-                text.extend_from_slice(keyword.as_bytes());
-                for h in dcel.cycle(first) {
-                    let sign = if h.is_even() { '+' } else { '-' };
-                    put(&mut text, format_args!(" {sign}{}", edge_numbers[h.edge()]));
-                }
-                text.push(b'\n');
-            }
-        }
+        put(text, format_args!("face {number}\n"));
+        put_of_face(text, face);
+        let firsts = ccbs_of_faces[face.index()].iter().copied();
+        put_boundaries(dcel, firsts, &edge_numbers, text);
         let isolated = dcel.isolated_vertices(face).map(|v| vertex_numbers[v.index()]);
         // Infinity has no number, nor has a pole at which nothing is.
         let mut isolated: Vec<u32> = isolated.filter(|&number| number != NEW).collect();
         isolated.sort_unstable();
-        isolated.iter().for_each(|number| put(&mut text, format_args!("isolated {number}\n")));
+        isolated.iter().for_each(|number| put(text, format_args!("isolated {number}\n")));
     }
-    text.extend_from_slice(b"end\n");
-    text
+}
+
+/// Writes the boundaries of a face, given by their first halfedges: outer ones before inner ones.
+pub(in crate::star) fn put_boundaries(
+    dcel: &Dcel,
+    firsts: impl Iterator<Item = HalfedgeId> + Clone,
+    edge_numbers: &[u32],
+    text: &mut Vec<u8>,
+) {
+    for (kind, keyword) in [(CcbKind::Outer, "outer"), (CcbKind::Inner, "inner")] {
+        for first in firsts.clone().filter(|&h| dcel.ccb_kind(dcel.ccb(h)) == kind) {
+            text.extend_from_slice(keyword.as_bytes());
+            for h in dcel.cycle(first) {
+                let sign = if h.is_even() { '+' } else { '-' };
+                put(text, format_args!(" {sign}{}", edge_numbers[h.edge()]));
+            }
+            text.push(b'\n');
+        }
+    }
 }

@@ -2,14 +2,15 @@
 
 use ::arrangement::Arrangement;
 use ::arrangement::topology::Topology;
-use ::arrangement::traits::{Along, ApproxTraits};
+use ::arrangement::traits::{Along, ApproxTraits, UMonotoneTraits};
 use dcel::{FaceId, HalfedgeId};
 
 use super::disc::Disc;
 use super::outline::{Outlines, SIDES};
-use super::rim::Boundary;
+use super::rim::{Boundary, area_of};
 use super::view::{GlobeOptions, Vector, View};
-use super::{is_sphere, rim_face};
+use super::{is_collapsed, is_sphere, rim_face};
+use crate::arrangement::cells::Cells;
 use crate::arrangement::look::Look;
 use crate::colour::Colour;
 use crate::error::{RenderError, finite};
@@ -21,7 +22,7 @@ use crate::trig::cos_sin_turns;
 impl Scene {
     /// The picture of an arrangement on a sphere, seen from outside: two discs of radius 1, the hemisphere in front at the left, and
     /// beside it the other one, seen from the opposite side. Layers are `faces`, `graticule`, `frame`, `edges`, `vertices`; cells
-    /// have their ids as names, as in [`Scene::of_arrangement`], and every face has a colour of its own.
+    /// have the names that they have in [`Scene::of_arrangement`], and faces that share an edge have different colours, of eight.
     ///
     /// A face is one region, with parts in one disc or in both. Edges and vertices on the boundary of both hemispheres are drawn in
     /// both discs, with the same name; so are the parts of an edge that crosses it. Meridians and parallels are those of space,
@@ -32,8 +33,9 @@ impl Scene {
     /// If the surface is not a sphere, or a parameter is not finite.
     ///
     /// # Complexity
-    /// Linear in the number of points of all edges, but for sorting, in each face, the edges that cross from one disc to the other.
-    pub fn of_globe<G: ApproxTraits, T: Topology<G>>(
+    /// O(n log n) for n cells, and linear in the number of points of all edges, but for sorting, in each face, the edges that cross from
+    /// one disc to the other.
+    pub fn of_globe<G: ApproxTraits + UMonotoneTraits, T: Topology<G>>(
         arrangement: &Arrangement<G, T>,
         options: &GlobeOptions,
     ) -> Result<Self, RenderError> {
@@ -42,7 +44,9 @@ impl Scene {
         }
         let globe = Globe::new(arrangement, options)?;
         let mut scene = Self::new(Frame::new([-2.1, -1.05], [2.1, 1.05])?);
-        scene.push_layer(globe.faces()?);
+        let (faces, are_collapsed) = globe.faces()?;
+        scene.set_collapsed(are_collapsed || is_collapsed(arrangement));
+        scene.push_layer(faces);
         if options.has_graticule() {
             scene.push_layer(globe.graticule()?);
         }
@@ -56,6 +60,7 @@ impl Scene {
 /// An arrangement as it is seen.
 struct Globe<'a, G: ApproxTraits, T> {
     arrangement: &'a Arrangement<G, T>,
+    cells: Cells,
     view: View,
     /// The edges, by their ids.
     chains: Vec<Vec<Vector>>,
@@ -63,7 +68,7 @@ struct Globe<'a, G: ApproxTraits, T> {
     look: Look,
 }
 
-impl<'a, G: ApproxTraits, T: Topology<G>> Globe<'a, G, T> {
+impl<'a, G: ApproxTraits + UMonotoneTraits, T: Topology<G>> Globe<'a, G, T> {
     fn new(arrangement: &'a Arrangement<G, T>, options: &GlobeOptions) -> Result<Self, RenderError> {
         let view = View::new(options)?;
         let outlines = Outlines::new(arrangement)?;
@@ -74,23 +79,31 @@ impl<'a, G: ApproxTraits, T: Topology<G>> Globe<'a, G, T> {
         let ends = || chains.iter().flat_map(|chain| chain.first().into_iter().chain(chain.last())).copied();
         let discs = Disc::pair(ends);
         let look = Look::new(arrangement.vertices().count());
-        Ok(Self { arrangement, view, chains, discs, look })
+        let cells = Cells::new(arrangement);
+        Ok(Self { arrangement, cells, view, chains, discs, look })
     }
 
-    fn faces(&self) -> Result<Layer, RenderError> {
-        let dcel = self.arrangement.dcel();
+    /// The faces, and whether they overlap.
+    fn faces(&self) -> Result<(Layer, bool), RenderError> {
         let boundaries: Vec<(FaceId, [Boundary; 2])> =
-            dcel.faces().map(|f| (f, self.boundaries(f))).collect();
+            self.cells.faces().map(|(f, _)| (f, self.boundaries(f))).collect();
         let rim_face = rim_face(boundaries.iter().map(|(f, both)| (*f, both.as_slice())));
         let mut faces = Layer::new("faces");
-        for (f, boundaries) in boundaries {
-            let parts = self.discs.iter().zip(boundaries);
-            let rings =
-                parts.flat_map(|(disc, boundary)| disc.rim().rings(boundary, rim_face == Some(f))).collect();
-            let style = Style::filled("face", Colour::pale(f.0));
-            faces.push(Item::new(Shape::region(rings), style).with_id(format!("f{}", f.0)))?;
+        let mut filled = [0.0; 2];
+        let looks = self.cells.faces().zip(self.cells.colours(self.arrangement));
+        for ((f, boundaries), ((_, name), colour)) in boundaries.into_iter().zip(looks) {
+            let mut all = Vec::new();
+            for ((disc, boundary), filled) in self.discs.iter().zip(boundaries).zip(&mut filled) {
+                let rings = disc.rim().rings(boundary, rim_face == Some(f));
+                *filled += area_of(&rings);
+                all.extend(rings);
+            }
+            let style = Style::filled("face", colour);
+            faces.push(Item::new(Shape::region(all), style).with_id(name))?;
         }
-        Ok(faces)
+        let are_collapsed =
+            self.discs.iter().zip(filled).any(|(disc, filled)| disc.rim().is_missed_by(filled));
+        Ok((faces, are_collapsed))
     }
 
     /// The boundary of a face in both discs.
@@ -153,10 +166,10 @@ impl<'a, G: ApproxTraits, T: Topology<G>> Globe<'a, G, T> {
 
     fn edges(&self) -> Result<Layer, RenderError> {
         let mut edges = Layer::new("edges");
-        for e in self.arrangement.dcel().edges() {
+        for (e, name) in self.cells.edges() {
             for part in self.discs.iter().flat_map(|disc| disc.visible(&self.chains[e.index()])) {
                 let item = Item::new(Shape::Polyline(part), self.look.edge());
-                edges.push(item.with_id(format!("e{}", e.0)))?;
+                edges.push(item.with_id(name.clone()))?;
             }
         }
         Ok(edges)
@@ -165,7 +178,7 @@ impl<'a, G: ApproxTraits, T: Topology<G>> Globe<'a, G, T> {
     fn vertices(&self) -> Result<Layer, RenderError> {
         let arrangement = self.arrangement;
         let mut vertices = Layer::new("vertices");
-        for v in arrangement.user_view().vertices() {
+        for (v, name) in self.cells.vertices() {
             let Some(point) = arrangement.point(v) else { continue };
             let [u, height] = arrangement.traits().approx_point(point);
             finite("a parameter", &[u, height])?;
@@ -178,7 +191,7 @@ impl<'a, G: ApproxTraits, T: Topology<G>> Globe<'a, G, T> {
             let style = self.look.vertex(arrangement.dcel().outgoing(v).is_none());
             for disc in self.discs.iter().filter(|disc| disc.shows(place)) {
                 let item = Item::new(Shape::disc(disc.place(place), self.look.size), style.clone());
-                vertices.push(item.with_id(format!("v{}", v.0)))?;
+                vertices.push(item.with_id(name.clone()))?;
             }
         }
         Ok(vertices)

@@ -23,13 +23,26 @@ mod view;
 pub(super) use unfolded::scene as unfolded_scene;
 pub use view::GlobeOptions;
 
-use ::arrangement::traits::{SideKind, Sides};
+use ::arrangement::Arrangement;
+use ::arrangement::topology::Topology;
+use ::arrangement::traits::{Along, ApproxTraits, SideKind, Sides};
 use dcel::FaceId;
+use outline::SIDES;
 use rim::Boundary;
 
 /// Whether these are the sides of the parameter space of a sphere.
 pub(super) fn is_sphere(sides: &Sides) -> bool {
     sides.is_u_identified() && sides.v == [SideKind::Contracted; 2]
+}
+
+/// Whether a vertex that is no pole has the latitude of one, as far as doubles can tell.
+fn is_collapsed<G: ApproxTraits, T: Topology<G>>(arrangement: &Arrangement<G, T>) -> bool {
+    let [_, [bottom, top]] = SIDES;
+    arrangement.vertices().filter_map(|v| arrangement.point(v)).any(|point| {
+        let [_, height] = arrangement.traits().approx_point(point);
+        let location = arrangement.topology().point_location(arrangement.traits(), point);
+        location.v == Along::Inside && !(bottom < height && height < top)
+    })
 }
 
 /// The face to which the rim belongs; `None` if edges meet it.

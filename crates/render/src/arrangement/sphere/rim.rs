@@ -48,6 +48,11 @@ impl Rim {
         &self.corners
     }
 
+    /// Whether parts of faces that should make up everything do not: then places that are different are as good as one for doubles.
+    pub(super) fn is_missed_by(&self, areas: f64) -> bool {
+        (areas / self.area - 1.0).abs() > 0.01
+    }
+
     /// The rings that enclose the part of a face. Without chains, the rim is a part of its boundary or not.
     pub(super) fn rings(&self, boundary: Boundary, holds_rim: bool) -> Vec<Vec<Point>> {
         let has_chains = !boundary.chains.is_empty();
@@ -144,6 +149,11 @@ fn key(centre: Point, [x, y]: Point) -> f64 {
         (false, false) => 2.0 - y / size,
         (true, false) => 3.0 + x / size,
     }
+}
+
+/// The area of a part of a face.
+pub(super) fn area_of(rings: &[Vec<Point>]) -> f64 {
+    rings.iter().map(|ring| area(ring)).sum()
 }
 
 /// The area that a ring encloses counterclockwise; accurate also if the ring is small.

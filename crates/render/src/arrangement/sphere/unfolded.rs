@@ -2,12 +2,13 @@
 
 use ::arrangement::Arrangement;
 use ::arrangement::topology::Topology;
-use ::arrangement::traits::{Along, ApproxTraits};
-use dcel::{CcbId, FaceId, HalfedgeId, VertexId};
+use ::arrangement::traits::{Along, ApproxTraits, UMonotoneTraits};
+use dcel::{CcbId, FaceId, HalfedgeId};
 
 use super::outline::{Outlines, SIDES, at_right, rectangle};
-use super::rim::{Boundary, Rim};
-use super::rim_face;
+use super::rim::{Boundary, Rim, area_of};
+use super::{is_collapsed, rim_face};
+use crate::arrangement::cells::Cells;
 use crate::arrangement::look::Look;
 use crate::colour::Colour;
 use crate::error::{RenderError, finite};
@@ -16,32 +17,37 @@ use crate::scene::{Item, Layer, Scene, Shape};
 use crate::style::{Dash, Stroke, Style};
 
 /// The picture of the rectangle, or of the part of it that is shown.
-pub(in crate::arrangement) fn scene<G: ApproxTraits, T: Topology<G>>(
+pub(in crate::arrangement) fn scene<G: ApproxTraits + UMonotoneTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
     shown: Option<Frame>,
 ) -> Result<Scene, RenderError> {
     let look = Look::new(arrangement.vertices().count());
     let outlines = Outlines::new(arrangement)?;
+    let cells = Cells::new(arrangement);
     let mut scene = Scene::new(shown.map_or_else(rectangle, Ok)?);
-    scene.push_layer(faces(arrangement, &outlines)?);
+    let (faces, are_collapsed) = faces(arrangement, &cells, &outlines)?;
+    scene.set_collapsed(are_collapsed || is_collapsed(arrangement));
+    scene.push_layer(faces);
     scene.push_layer(frame()?);
     let mut edges = Layer::new("edges");
-    for e in arrangement.dcel().edges() {
+    for (e, name) in cells.edges() {
         let edge = outlines.edge(e);
         let copy = edge.is_along_seam.then(|| at_right(&edge.points));
         for points in [edge.points.clone()].into_iter().chain(copy) {
-            edges.push(Item::new(Shape::Polyline(points), look.edge()).with_id(format!("e{}", e.0)))?;
+            edges.push(Item::new(Shape::Polyline(points), look.edge()).with_id(name.clone()))?;
         }
     }
     scene.push_layer(edges);
-    scene.push_layer(vertices(arrangement, look)?);
+    scene.push_layer(vertices(arrangement, &cells, look)?);
     Ok(scene)
 }
 
+/// The faces, and whether they overlap.
 fn faces<G: ApproxTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
+    cells: &Cells,
     outlines: &Outlines,
-) -> Result<Layer, RenderError> {
+) -> Result<(Layer, bool), RenderError> {
     let dcel = arrangement.dcel();
     let boundary = |f: FaceId| {
         let mut boundary = Boundary::default();
@@ -50,17 +56,20 @@ fn faces<G: ApproxTraits, T: Topology<G>>(
         }
         boundary
     };
-    let boundaries: Vec<(FaceId, [Boundary; 1])> = dcel.faces().map(|f| (f, [boundary(f)])).collect();
+    let boundaries: Vec<(FaceId, [Boundary; 1])> = cells.faces().map(|(f, _)| (f, [boundary(f)])).collect();
     let rim_face = rim_face(boundaries.iter().map(|(f, boundaries)| (*f, boundaries.as_slice())));
     let [[left, right], [bottom, top]] = SIDES;
     let rim = Rim::new([(left + right) / 2.0, (bottom + top) / 2.0], rectangle()?.corners().to_vec());
     let mut faces = Layer::new("faces");
-    for (f, [boundary]) in boundaries {
+    let mut filled = 0.0;
+    let looks = cells.faces().zip(cells.colours(arrangement));
+    for ((f, [boundary]), ((_, name), colour)) in boundaries.into_iter().zip(looks) {
         let rings = rim.rings(boundary, rim_face == Some(f));
-        let style = Style::filled("face", Colour::pale(f.0));
-        faces.push(Item::new(Shape::region(rings), style).with_id(format!("f{}", f.0)))?;
+        filled += area_of(&rings);
+        let style = Style::filled("face", colour);
+        faces.push(Item::new(Shape::region(rings), style).with_id(name))?;
     }
-    Ok(faces)
+    Ok((faces, rim.is_missed_by(filled)))
 }
 
 /// Cuts a CCB where it goes through a pole or over the identification.
@@ -122,14 +131,14 @@ fn frame() -> Result<Layer, RenderError> {
 /// Vertices on the identification are drawn on both sides; poles are sides.
 fn vertices<G: ApproxTraits, T: Topology<G>>(
     arrangement: &Arrangement<G, T>,
+    cells: &Cells,
     look: Look,
 ) -> Result<Layer, RenderError> {
     let [[left, right], [bottom, top]] = SIDES;
     let mut vertices = Layer::new("vertices");
-    let mut push = |shape: Shape, style: Style, v: VertexId| {
-        vertices.push(Item::new(shape, style).with_id(format!("v{}", v.0)))
-    };
-    for v in arrangement.user_view().vertices() {
+    let mut push =
+        |shape: Shape, style: Style, name: &str| vertices.push(Item::new(shape, style).with_id(name));
+    for (v, name) in cells.vertices() {
         let Some(point) = arrangement.point(v) else { continue };
         let location = arrangement.topology().point_location(arrangement.traits(), point);
         let is_isolated = arrangement.dcel().outgoing(v).is_none();
@@ -141,12 +150,12 @@ fn vertices<G: ApproxTraits, T: Topology<G>>(
             Along::High => Some(top),
         };
         if let Some(pole) = pole {
-            push(Shape::Polyline(vec![[left, pole], [right, pole]]), look.pole(is_isolated), v)?;
+            push(Shape::Polyline(vec![[left, pole], [right, pole]]), look.pole(is_isolated), &name)?;
             continue;
         }
         let us = if location.u == Along::Inside { vec![u] } else { vec![left, right] };
         for u in us {
-            push(Shape::disc([u, height], look.size), look.vertex(is_isolated), v)?;
+            push(Shape::disc([u, height], look.size), look.vertex(is_isolated), &name)?;
         }
     }
     Ok(vertices)
