@@ -13,6 +13,7 @@
 //! Thesis, sections 3.1 to 3.3.
 
 mod cubical;
+mod normals;
 mod spherical;
 
 pub use crate::cubical::{CubicalGaussianMap, CubicalGaussianViolation};

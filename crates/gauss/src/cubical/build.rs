@@ -1,10 +1,10 @@
 //! Maps of polytopes, and polytopes of maps.
 
 use super::CubicalGaussianMap;
+use crate::normals::{circle_of, normal_of};
 use cubical::{ArcEnd, At, CubeSide, CubicalArrangement, CubicalPieces};
-use dcel::{HalfedgeId, Mesh};
 use exact::Point3;
-use exact::spherical::{Direction, GreatCircle};
+use exact::spherical::GreatCircle;
 use polytope::{Facets, Polytope, convex_hull};
 
 impl CubicalGaussianMap {
@@ -89,21 +89,4 @@ impl CubicalGaussianMap {
         }
         Polytope::from_trusted_facets(self.points.clone(), &facets)
     }
-}
-
-/// The circle around the vector of an edge.
-fn circle_of(polytope: &Polytope, h: HalfedgeId) -> GreatCircle {
-    GreatCircle::new(&polytope.edge_vector(h)).expect("the ends of an edge are different")
-}
-
-/// The outer normal of a facet, where the circles of two consecutive edges cross: so it is as narrow as these.
-fn normal_of(mesh: &Mesh, circles: &[GreatCircle], h: HalfedgeId) -> Direction {
-    let next = mesh.next(h);
-    let [first, second] = [h, next].map(|h| &circles[h.edge()]);
-    // Opposite circles cross in the opposite direction.
-    let normal = match h.is_even() == next.is_even() {
-        true => Direction::crossing(first, second),
-        false => Direction::crossing(second, first),
-    };
-    normal.expect("consecutive edges of a facet are not parallel")
 }

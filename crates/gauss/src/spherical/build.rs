@@ -1,13 +1,14 @@
 //! Maps of polytopes, and maps with another identification.
 
 use super::{SphericalGaussianMap, dual};
+use crate::normals::{circle_of, normal_of};
 use arrangement::models::{Geodesic, GeodesicArc, GeodesicTraits};
 use arrangement::topology::Sphere;
 use arrangement::traits::ArrangementTraits;
 use arrangement::{Arrangement, Pieces};
-use dcel::{HalfedgeId, Mesh};
+use dcel::HalfedgeId;
 use exact::Point3;
-use exact::spherical::{Direction, GreatCircle};
+use exact::spherical::GreatCircle;
 use polytope::Polytope;
 
 /// An arc of a map, with the numbers of the vertices that are extreme on its left and on its right.
@@ -131,21 +132,4 @@ impl SphericalGaussianMap {
         let points = extreme.into_iter().map(|point| points[point as usize].clone()).collect();
         Self { arrangement, points }
     }
-}
-
-/// The circle around the vector of an edge.
-fn circle_of(polytope: &Polytope, h: HalfedgeId) -> GreatCircle {
-    GreatCircle::new(&polytope.edge_vector(h)).expect("the ends of an edge are different")
-}
-
-/// The outer normal of a facet, where the circles of two consecutive edges cross: so it is as narrow as these.
-fn normal_of(mesh: &Mesh, circles: &[GreatCircle], h: HalfedgeId) -> Direction {
-    let next = mesh.next(h);
-    let [first, second] = [h, next].map(|h| &circles[h.edge()]);
-    // Opposite circles cross in the opposite direction.
-    let normal = match h.is_even() == next.is_even() {
-        true => Direction::crossing(first, second),
-        false => Direction::crossing(second, first),
-    };
-    normal.expect("consecutive edges of a facet are not parallel")
 }
